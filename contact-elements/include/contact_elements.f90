@@ -1,0 +1,381 @@
+! contact_elements.f90 - the Fortran side of contact_elements.h, shipped as source: compile it with the
+! host's own compiler. The same names, the same layout; units, signs, shapes and failures are in the header.
+!
+!   Indices      from 0, as in C: elements, nodes, unknowns, parameters, unknown_map and connectivity.
+!   Memory       a fresh variable of a type below is zero (every default); set struct_size first:
+!                arguments%struct_size = int(c_sizeof(arguments), c_int32_t)
+!   Arrays       x, u, f, k, ... are addresses: arguments%x = c_loc(x), with x a target.
+!                x(dimension, nodes) is the header's [node][component].
+!   Tangent      column-major k(ld, ld): k_row_stride = 1, k_col_stride = ld.
+!   Unsigned     request bits, versions and the formulation hash arrive as signed integers of the same bits.
+!   Text         const char * arrives as type(c_ptr); cte_string makes a Fortran string of it.
+!   Null         an address that may be null is in a type, or in the procedures of cte_api_table; the
+!                interfaces below take their scalar outputs by reference.
+!   Names        Fortran does not tell upper from lower case, so two constants are named differently:
+!                CTE_ABI_VERSION is CTE_ABI_VERSION_COMPILED here (cte_abi_version() is the library's),
+!                CTE_ARGUMENT_NAME is CTE_ARGUMENT_ELEMENT_NAME (cte_argument_name() is the function).
+module contact_elements
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int32_t, c_int64_t, c_ptr, c_funptr, &
+    c_null_ptr, c_null_funptr, c_null_char, c_associated, c_f_pointer
+  implicit none
+  public
+  private :: c_char, c_double, c_int32_t, c_int64_t, c_ptr, c_funptr
+  private :: c_null_ptr, c_null_funptr, c_null_char, c_associated, c_f_pointer
+  integer, parameter, private :: i4 = c_int32_t, i8 = c_int64_t, dp = c_double
+
+  integer(i4), parameter :: CTE_VERSION_MAJOR = 1, CTE_VERSION_MINOR = 0
+  integer(i4), parameter :: CTE_ABI_VERSION_COMPILED = ior(ishft(CTE_VERSION_MAJOR, 16), CTE_VERSION_MINOR)
+
+  ! Return codes
+  integer(i4), parameter :: CTE_SUCCESS = 0, CTE_CUT_BACK = 1
+  integer(i4), parameter :: CTE_ERROR_NULL = -1, CTE_ERROR_STRUCT_SIZE = -2, CTE_ERROR_NODE_COUNT = -3
+  integer(i4), parameter :: CTE_ERROR_PARAMETER = -4, CTE_ERROR_REQUEST = -5, CTE_ERROR_WORKSPACE = -6
+  integer(i4), parameter :: CTE_ERROR_NOT_FINITE = -7, CTE_ERROR_INDEX = -8, CTE_ERROR_NAME = -9
+  integer(i4), parameter :: CTE_ERROR_VERSION = -10, CTE_ERROR_STRIDE = -11
+
+  ! Arguments named by errors
+  integer(i4), parameter :: CTE_ARGUMENT_NONE = 0, CTE_ARGUMENT_STRUCT_SIZE = 1, CTE_ARGUMENT_REQUEST = 2
+  integer(i4), parameter :: CTE_ARGUMENT_NNODE = 3, CTE_ARGUMENT_NSLAVE = 4, CTE_ARGUMENT_X = 5
+  integer(i4), parameter :: CTE_ARGUMENT_U = 6, CTE_ARGUMENT_PARAMETERS = 7, CTE_ARGUMENT_HISTORY_OLD = 8
+  integer(i4), parameter :: CTE_ARGUMENT_HISTORY_NEW = 9, CTE_ARGUMENT_SLAVE_ROW = 10, CTE_ARGUMENT_F = 11
+  integer(i4), parameter :: CTE_ARGUMENT_K = 12, CTE_ARGUMENT_K_STRIDE = 13, CTE_ARGUMENT_UNKNOWN_MAP = 14
+  integer(i4), parameter :: CTE_ARGUMENT_SCALE = 15, CTE_ARGUMENT_OUTPUT = 16, CTE_ARGUMENT_ENERGY = 17
+  integer(i4), parameter :: CTE_ARGUMENT_WORKSPACE = 18, CTE_ARGUMENT_ELEMENT = 19, CTE_ARGUMENT_INFO = 20
+  integer(i4), parameter :: CTE_ARGUMENT_ELEMENT_NAME = 21, CTE_ARGUMENT_BATCH = 22
+  integer(i4), parameter :: CTE_ARGUMENT_CONNECTIVITY = 23, CTE_ARGUMENT_CSR = 24, CTE_ARGUMENT_STATUS = 25
+
+  ! Request bits
+  integer(i4), parameter :: CTE_RESIDUAL = 1, CTE_TANGENT = 2, CTE_HISTORY = 4, CTE_OUTPUT = 8
+  integer(i4), parameter :: CTE_ENERGY = 16, CTE_FREEZE_STATE = 32, CTE_SYMMETRISE = 64
+  integer(i4), parameter :: CTE_PROJECTION_GIVEN = 128
+
+  ! Status of a contact point
+  integer(i4), parameter :: CTE_STATUS_OPEN = 0, CTE_STATUS_CLOSED = 1, CTE_STATUS_OUTSIDE = 4
+  integer(i4), parameter :: CTE_STATUS_NOT_CONVERGED = 5, CTE_STATUS_NOT_UNIQUE = 6
+  integer(i4), parameter :: CTE_STATUS_DEGENERATE = 7, CTE_STATUS_LAW = 8
+
+  ! Kinds of unknowns
+  integer(i4), parameter :: CTE_UNKNOWN_UX = 1, CTE_UNKNOWN_UY = 2, CTE_UNKNOWN_UZ = 3
+  integer(i4), parameter :: CTE_UNKNOWN_TX = 4, CTE_UNKNOWN_TY = 5, CTE_UNKNOWN_TZ = 6
+
+  ! Output of one contact point, entries from 0: output(entry, point) needs output(0:CTE_OUTPUT_SIZE-1, *)
+  integer(i4), parameter :: CTE_OUTPUT_STATUS = 0, CTE_OUTPUT_GAP = 1, CTE_OUTPUT_NORMAL_TRACTION = 2
+  integer(i4), parameter :: CTE_OUTPUT_WEIGHT = 3, CTE_OUTPUT_PROJECTION = 4, CTE_OUTPUT_NORMAL = 6
+  integer(i4), parameter :: CTE_OUTPUT_ITERATIONS = 9, CTE_OUTPUT_FEATURE = 10, CTE_OUTPUT_SIZE = 11
+
+  ! What an element is
+  type, bind(c) :: cte_info
+    integer(c_int32_t) :: struct_size = 0
+    integer(c_int32_t) :: dimension = 0
+    integer(c_int32_t) :: nodes_minimum = 0
+    integer(c_int32_t) :: nodes_maximum = 0
+    integer(c_int32_t) :: slave_nodes = 0
+    integer(c_int32_t) :: master_nodes = 0
+    integer(c_int32_t) :: unknowns = 0
+    integer(c_int32_t) :: parameters = 0
+    integer(c_int32_t) :: history = 0
+    integer(c_int32_t) :: points = 0
+    integer(c_int32_t) :: projected = 0
+    integer(c_int32_t) :: requests = 0
+    integer(c_int32_t) :: symmetric = 0
+    integer(c_int32_t) :: operations = 0
+    integer(c_int64_t) :: workspace = 0
+    integer(c_int64_t) :: formulation = 0
+    type(c_ptr) :: name = c_null_ptr
+    type(c_ptr) :: documentation = c_null_ptr
+    integer(c_int64_t) :: reserved(8) = 0
+  end type cte_info
+
+  ! One evaluation
+  type, bind(c) :: cte_arguments
+    integer(c_int32_t) :: struct_size = 0
+    integer(c_int32_t) :: request = 0
+    integer(c_int32_t) :: nnode = 0
+    integer(c_int32_t) :: nslave = 0
+    integer(c_int64_t) :: element_id = 0
+    integer(c_int32_t) :: step = 0
+    integer(c_int32_t) :: increment = 0
+    integer(c_int32_t) :: iteration = 0
+    integer(c_int32_t) :: parameter_count = 0
+    real(c_double) :: t = 0
+    real(c_double) :: dt = 0
+    type(c_ptr) :: x = c_null_ptr
+    type(c_ptr) :: u = c_null_ptr
+    type(c_ptr) :: u_old = c_null_ptr
+    type(c_ptr) :: v = c_null_ptr
+    integer(c_int64_t) :: x_node_stride = 0
+    integer(c_int64_t) :: u_node_stride = 0
+    type(c_ptr) :: parameters = c_null_ptr
+    type(c_ptr) :: hist_old = c_null_ptr
+    type(c_ptr) :: hist_new = c_null_ptr
+    type(c_ptr) :: slave_row = c_null_ptr
+    type(c_ptr) :: f = c_null_ptr
+    type(c_ptr) :: k = c_null_ptr
+    integer(c_int64_t) :: k_row_stride = 0
+    integer(c_int64_t) :: k_col_stride = 0
+    type(c_ptr) :: unknown_map = c_null_ptr
+    real(c_double) :: f_scale = 0
+    real(c_double) :: k_scale = 0
+    type(c_ptr) :: output = c_null_ptr
+    type(c_ptr) :: energy = c_null_ptr
+    type(c_ptr) :: workspace = c_null_ptr
+    integer(c_int64_t) :: workspace_size = 0
+    real(c_double) :: dt_ratio = 0
+    integer(c_int32_t) :: status = 0
+    integer(c_int32_t) :: closed_points = 0
+    integer(c_int32_t) :: error_argument = 0
+    integer(c_int32_t) :: error_index = 0
+    integer(c_int64_t) :: reserved(8) = 0
+  end type cte_arguments
+
+  ! Many contacts of one element
+  type, bind(c) :: cte_batch
+    integer(c_int32_t) :: struct_size = 0
+    integer(c_int32_t) :: request = 0
+    integer(c_int32_t) :: nslave = 0
+    integer(c_int32_t) :: parameter_count = 0
+    type(c_ptr) :: x = c_null_ptr
+    type(c_ptr) :: u = c_null_ptr
+    integer(c_int64_t) :: x_element_stride = 0, x_node_stride = 0, x_component_stride = 0
+    integer(c_int64_t) :: u_element_stride = 0, u_node_stride = 0, u_component_stride = 0
+    type(c_ptr) :: connectivity = c_null_ptr
+    integer(c_int64_t) :: global_nodes = 0
+    type(c_ptr) :: parameters = c_null_ptr
+    integer(c_int64_t) :: parameter_element_stride = 0
+    type(c_ptr) :: hist_old = c_null_ptr
+    type(c_ptr) :: hist_new = c_null_ptr
+    type(c_ptr) :: slave_row = c_null_ptr
+    type(c_ptr) :: f = c_null_ptr
+    type(c_ptr) :: k = c_null_ptr
+    integer(c_int64_t) :: f_element_stride = 0
+    integer(c_int64_t) :: k_element_stride = 0
+    type(c_ptr) :: global_f = c_null_ptr
+    type(c_ptr) :: csr_values = c_null_ptr
+    type(c_ptr) :: csr_map = c_null_ptr
+    real(c_double) :: f_scale = 0, k_scale = 0
+    type(c_ptr) :: output = c_null_ptr
+    type(c_ptr) :: energy = c_null_ptr
+    type(c_ptr) :: status = c_null_ptr
+    type(c_ptr) :: code = c_null_ptr
+    type(c_ptr) :: workspace = c_null_ptr
+    integer(c_int64_t) :: workspace_size = 0
+    integer(c_int64_t) :: failed = 0
+    integer(c_int32_t) :: error_argument = 0
+    integer(c_int32_t) :: error_index = 0
+    integer(c_int64_t) :: reserved(8) = 0
+  end type cte_batch
+
+  ! The functions below in one table; c_f_procpointer makes procedure pointers of the entries
+  type, bind(c) :: cte_api_table
+    integer(c_int32_t) :: struct_size = 0
+    integer(c_int32_t) :: version = 0
+    type(c_funptr) :: element_count = c_null_funptr
+    type(c_funptr) :: element_get = c_null_funptr
+    type(c_funptr) :: element_find = c_null_funptr
+    type(c_funptr) :: element_info = c_null_funptr
+    type(c_funptr) :: element_unknown = c_null_funptr
+    type(c_funptr) :: element_parameter = c_null_funptr
+    type(c_funptr) :: element_check_parameters = c_null_funptr
+    type(c_funptr) :: element_history_init = c_null_funptr
+    type(c_funptr) :: element_evaluate = c_null_funptr
+    type(c_funptr) :: element_batch_workspace = c_null_funptr
+    type(c_funptr) :: element_evaluate_batch = c_null_funptr
+    type(c_funptr) :: csr_map = c_null_funptr
+    type(c_funptr) :: code_message = c_null_funptr
+    type(c_funptr) :: status_message = c_null_funptr
+    type(c_funptr) :: argument_name = c_null_funptr
+    type(c_funptr) :: element_message = c_null_funptr
+  end type cte_api_table
+
+  interface
+    function cte_abi_version() bind(c, name='cte_abi_version') result(version)
+      import :: i4
+      integer(i4) :: version
+    end function cte_abi_version
+
+    function cte_element_count() bind(c, name='cte_element_count') result(count)
+      import :: i4
+      integer(i4) :: count
+    end function cte_element_count
+
+    ! const cte_element *: an opaque address, c_null_ptr outside 0 .. count-1
+    function cte_element_get(index) bind(c, name='cte_element_get') result(element)
+      import :: i4, c_ptr
+      integer(i4), value :: index
+      type(c_ptr) :: element
+    end function cte_element_get
+
+    function cte_element_find(name, length, index) bind(c, name='cte_element_find') result(code)
+      import :: i4, c_char
+      character(kind=c_char), intent(in) :: name(*)
+      integer(i4), value :: length
+      integer(i4), intent(inout) :: index
+      integer(i4) :: code
+    end function cte_element_find
+
+    function cte_element_info(element, nnode, info) bind(c, name='cte_element_info') result(code)
+      import :: i4, c_ptr, cte_info
+      type(c_ptr), value :: element
+      integer(i4), value :: nnode
+      type(cte_info), intent(inout) :: info
+      integer(i4) :: code
+    end function cte_element_info
+
+    function cte_element_unknown(element, nnode, index, node, kind) &
+        bind(c, name='cte_element_unknown') result(code)
+      import :: i4, c_ptr
+      type(c_ptr), value :: element
+      integer(i4), value :: nnode, index
+      integer(i4), intent(inout) :: node, kind
+      integer(i4) :: code
+    end function cte_element_unknown
+
+    function cte_element_parameter(element, index, name, unit, lower, upper, closed) &
+        bind(c, name='cte_element_parameter') result(code)
+      import :: i4, dp, c_ptr
+      type(c_ptr), value :: element
+      integer(i4), value :: index
+      type(c_ptr), intent(inout) :: name, unit
+      real(dp), intent(inout) :: lower, upper
+      integer(i4), intent(inout) :: closed
+      integer(i4) :: code
+    end function cte_element_parameter
+
+    function cte_element_check_parameters(element, parameters, count, index) &
+        bind(c, name='cte_element_check_parameters') result(code)
+      import :: i4, dp, c_ptr
+      type(c_ptr), value :: element
+      real(dp), intent(in) :: parameters(*)
+      integer(i4), value :: count
+      integer(i4), intent(inout) :: index
+      integer(i4) :: code
+    end function cte_element_check_parameters
+
+    function cte_element_history_init(element, history) &
+        bind(c, name='cte_element_history_init') result(code)
+      import :: i4, dp, c_ptr
+      type(c_ptr), value :: element
+      real(dp), intent(inout) :: history(*)
+      integer(i4) :: code
+    end function cte_element_history_init
+
+    function cte_element_evaluate(element, arguments) bind(c, name='cte_element_evaluate') result(code)
+      import :: i4, c_ptr, cte_arguments
+      type(c_ptr), value :: element
+      type(cte_arguments), intent(inout) :: arguments
+      integer(i4) :: code
+    end function cte_element_evaluate
+
+    function cte_element_batch_workspace(element, nslave) &
+        bind(c, name='cte_element_batch_workspace') result(doubles)
+      import :: i4, i8, c_ptr
+      type(c_ptr), value :: element
+      integer(i4), value :: nslave
+      integer(i8) :: doubles
+    end function cte_element_batch_workspace
+
+    function cte_element_evaluate_batch(element, n, batch) &
+        bind(c, name='cte_element_evaluate_batch') result(code)
+      import :: i4, i8, c_ptr, cte_batch
+      type(c_ptr), value :: element
+      integer(i8), value :: n
+      type(cte_batch), intent(inout) :: batch
+      integer(i4) :: code
+    end function cte_element_evaluate_batch
+
+    function cte_csr_map(element, n, nslave, connectivity, rows, row_start, column, map) &
+        bind(c, name='cte_csr_map') result(code)
+      import :: i4, i8, c_ptr
+      type(c_ptr), value :: element
+      integer(i8), value :: n, rows
+      integer(i4), value :: nslave
+      integer(i4), intent(in) :: connectivity(*), column(*)
+      integer(i8), intent(in) :: row_start(*)
+      integer(i8), intent(inout) :: map(*)
+      integer(i4) :: code
+    end function cte_csr_map
+
+    function cte_code_message(code) bind(c, name='cte_code_message') result(text)
+      import :: i4, c_ptr
+      integer(i4), value :: code
+      type(c_ptr) :: text
+    end function cte_code_message
+
+    function cte_status_message(status) bind(c, name='cte_status_message') result(text)
+      import :: i4, c_ptr
+      integer(i4), value :: status
+      type(c_ptr) :: text
+    end function cte_status_message
+
+    function cte_argument_name(argument) bind(c, name='cte_argument_name') result(text)
+      import :: i4, c_ptr
+      integer(i4), value :: argument
+      type(c_ptr) :: text
+    end function cte_argument_name
+
+    function cte_element_message(element, arguments, code, text, size) &
+        bind(c, name='cte_element_message') result(length)
+      import :: i4, c_char, c_ptr, cte_arguments
+      type(c_ptr), value :: element
+      type(cte_arguments), intent(in) :: arguments
+      integer(i4), value :: code, size
+      character(kind=c_char), intent(inout) :: text(*)
+      integer(i4) :: length
+    end function cte_element_message
+
+    function cte_api(major, table) bind(c, name='cte_api') result(code)
+      import :: i4, cte_api_table
+      integer(i4), value :: major
+      type(cte_api_table), intent(inout) :: table
+      integer(i4) :: code
+    end function cte_api
+
+    ! The Fortran 77 entries, for hosts that want their arguments checked
+    subroutine cte_f77_evaluate(element, request, nnode, nslave, x, u, parameters, parameter_count, &
+        hist_old, hist_new, slave_row, f, k, ldk, output, energy, status, code) &
+        bind(c, name='cte_f77_evaluate_')
+      import :: i4, dp
+      integer(i4), intent(in) :: element, request, nnode, nslave, parameter_count, ldk
+      real(dp), intent(in) :: x(*), u(*), parameters(*), hist_old(*), slave_row(*)
+      real(dp), intent(inout) :: hist_new(*), f(*), k(ldk, *), output(*), energy
+      integer(i4), intent(inout) :: status, code
+    end subroutine cte_f77_evaluate
+
+    subroutine cte_f77_info(element, nnode, sizes) bind(c, name='cte_f77_info_')
+      import :: i4
+      integer(i4), intent(in) :: element, nnode
+      integer(i4), intent(inout) :: sizes(8)
+    end subroutine cte_f77_info
+
+    subroutine cte_f77_history_init(element, history, code) bind(c, name='cte_f77_history_init_')
+      import :: i4, dp
+      integer(i4), intent(in) :: element
+      real(dp), intent(inout) :: history(*)
+      integer(i4), intent(inout) :: code
+    end subroutine cte_f77_history_init
+  end interface
+
+contains
+
+  ! The zero-terminated text at an address as a Fortran string; empty for c_null_ptr.
+  function cte_string(address) result(text)
+    type(c_ptr), intent(in) :: address
+    character(len=:), allocatable :: text
+    integer, parameter :: longest = 65536 ! characters looked at
+    character(kind=c_char), pointer :: letters(:)
+    integer :: i, length
+    length = 0
+    if (c_associated(address)) then
+      call c_f_pointer(address, letters, [longest])
+      do while (length < longest)
+        if (letters(length + 1) == c_null_char) exit
+        length = length + 1
+      end do
+    end if
+    allocate (character(len=length) :: text)
+    do i = 1, length
+      text(i:i) = letters(i)
+    end do
+  end function cte_string
+
+end module contact_elements

@@ -1,0 +1,346 @@
+/* contact_elements.h - finite-element contact elements through a C interface.
+ *
+ * This header is the manual: unit, sign, shape, owner, thread rule and failure of every item.
+ *
+ * Conventions
+ *   Unknowns     node by node, component fastest; slave nodes first, then master nodes.
+ *   Force        f = +internal force = dW/du; tangent K = df/du. A host that wants a right-hand
+ *                side asks for it with f_scale = -1.
+ *   Gap          g > 0 open, g < 0 penetrating [length]. Normal traction N = dW/dg, N < 0 in contact.
+ *   Position     current = x + u: x reference coordinates, u displacement at the end of the step.
+ *   Units        any consistent set; lengths between 1e-30 and 1e30.
+ *   Indices      from 0.
+ *
+ * Rules
+ *   Pure         no globals, allocation, I/O, threads or clock. Every function may be called from
+ *                any number of threads; the same input gives the same bits.
+ *   Memory       all memory is the caller's; nothing is kept after the return.
+ *   Traps        the floating-point environment is left alone and no invalid, divide-by-zero or
+ *                overflow exception is raised on the way.
+ *   Growth       every struct begins with its size as the caller compiled it; new fields come at the
+ *                end; a zero field means its default. Zero a struct (memset or = {0}) before filling it.
+ *   Returns      0 fine; > 0 recoverable (see CTE_CUT_BACK); < 0 the caller's fault. On anything but 0
+ *                no array of the caller is written.
+ */
+#ifndef CONTACT_ELEMENTS_H
+#define CONTACT_ELEMENTS_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CTE_VERSION_MAJOR 1u
+#define CTE_VERSION_MINOR 0u
+#define CTE_ABI_VERSION ((CTE_VERSION_MAJOR << 16) | CTE_VERSION_MINOR)
+
+/* ------------------------------------------------------------------ return codes */
+#define CTE_SUCCESS 0
+/* Recoverable: the state cannot be evaluated; redo the increment with a smaller step. The field
+ * `status` of cte_arguments says why and `error_index` which contact point. */
+#define CTE_CUT_BACK 1
+/* The caller's fault; `error_argument` and `error_index` of cte_arguments name the place. */
+#define CTE_ERROR_NULL (-1)        /* a required pointer is null */
+#define CTE_ERROR_STRUCT_SIZE (-2) /* struct_size is smaller than version 1.0 of the struct */
+#define CTE_ERROR_NODE_COUNT (-3)  /* nnode or nslave does not fit the element */
+#define CTE_ERROR_PARAMETER (-4)   /* too few parameters, or one outside its range */
+#define CTE_ERROR_REQUEST (-5)     /* an unknown bit, or one this element does not offer */
+#define CTE_ERROR_WORKSPACE (-6)   /* workspace is smaller than cte_info.workspace */
+#define CTE_ERROR_NOT_FINITE (-7)  /* NaN, infinity or a magnitude above 1e30 in an input */
+#define CTE_ERROR_INDEX (-8)       /* an index (element, node, map) out of range */
+#define CTE_ERROR_NAME (-9)        /* no element of that name */
+#define CTE_ERROR_VERSION (-10)    /* the library's major version is another */
+#define CTE_ERROR_STRIDE (-11)     /* strides that would let entries overlap or are negative */
+
+/* ------------------------------------------------------------------ arguments named by errors */
+#define CTE_ARGUMENT_NONE 0
+#define CTE_ARGUMENT_STRUCT_SIZE 1
+#define CTE_ARGUMENT_REQUEST 2
+#define CTE_ARGUMENT_NNODE 3
+#define CTE_ARGUMENT_NSLAVE 4
+#define CTE_ARGUMENT_X 5
+#define CTE_ARGUMENT_U 6
+#define CTE_ARGUMENT_PARAMETERS 7
+#define CTE_ARGUMENT_HISTORY_OLD 8
+#define CTE_ARGUMENT_HISTORY_NEW 9
+#define CTE_ARGUMENT_SLAVE_ROW 10
+#define CTE_ARGUMENT_F 11
+#define CTE_ARGUMENT_K 12
+#define CTE_ARGUMENT_K_STRIDE 13
+#define CTE_ARGUMENT_UNKNOWN_MAP 14
+#define CTE_ARGUMENT_SCALE 15
+#define CTE_ARGUMENT_OUTPUT 16
+#define CTE_ARGUMENT_ENERGY 17
+#define CTE_ARGUMENT_WORKSPACE 18
+#define CTE_ARGUMENT_ELEMENT 19
+#define CTE_ARGUMENT_INFO 20
+#define CTE_ARGUMENT_NAME 21
+#define CTE_ARGUMENT_BATCH 22
+#define CTE_ARGUMENT_CONNECTIVITY 23
+#define CTE_ARGUMENT_CSR 24
+#define CTE_ARGUMENT_STATUS 25
+
+/* ------------------------------------------------------------------ what is wanted: request bits */
+#define CTE_RESIDUAL 1u        /* write f */
+#define CTE_TANGENT 2u         /* write k */
+#define CTE_HISTORY 4u         /* write hist_new */
+#define CTE_OUTPUT 8u          /* write output */
+#define CTE_ENERGY 16u         /* write energy (elements whose law declares W) */
+#define CTE_FREEZE_STATE 32u   /* open or closed as hist_old says, whatever the gap (line search) */
+#define CTE_SYMMETRISE 64u     /* write (K + K^T)/2 */
+#define CTE_PROJECTION_GIVEN 128u /* hist_old holds the projection itself: no iteration */
+
+/* ------------------------------------------------------------------ status of a contact point
+ * The element's status is the one of its worst point, in the order
+ * open < outside < closed < the failures. */
+#define CTE_STATUS_OPEN 0           /* no contact: f, k and energy are zero */
+#define CTE_STATUS_CLOSED 1         /* in contact */
+#define CTE_STATUS_OUTSIDE 4        /* the projection lies beyond the master's edge or vertex: as open */
+#define CTE_STATUS_NOT_CONVERGED 5  /* the projection did not converge: CTE_CUT_BACK */
+#define CTE_STATUS_NOT_UNIQUE 6     /* the projection is not unique (focal surface, parallel tangents, axis): CTE_CUT_BACK */
+#define CTE_STATUS_DEGENERATE 7     /* zero area or length, or L = 0 in codimension 2 or 3: CTE_CUT_BACK */
+#define CTE_STATUS_LAW 8            /* the gap is outside the normal law's domain (barrier passed): CTE_CUT_BACK */
+
+/* ------------------------------------------------------------------ kinds of unknowns */
+#define CTE_UNKNOWN_UX 1      /* displacement x [length] */
+#define CTE_UNKNOWN_UY 2
+#define CTE_UNKNOWN_UZ 3
+#define CTE_UNKNOWN_TX 4      /* change of a tangent vector of a Hermite curve, d rho / d xi, x [length] */
+#define CTE_UNKNOWN_TY 5
+#define CTE_UNKNOWN_TZ 6
+
+/* ------------------------------------------------------------------ output of one contact point
+ * With CTE_OUTPUT, output[point * CTE_OUTPUT_SIZE + entry]: */
+#define CTE_OUTPUT_STATUS 0     /* CTE_STATUS_* as a number */
+#define CTE_OUTPUT_GAP 1        /* gap g [length]; 0 where the projection failed */
+#define CTE_OUTPUT_NORMAL_TRACTION 2 /* N, < 0 in contact [force, or force per area where integrated] */
+#define CTE_OUTPUT_WEIGHT 3     /* integration weight times Jacobian (1 for points) */
+#define CTE_OUTPUT_PROJECTION 4 /* two entries: projected parameters (slave curve first for curve to curve) */
+#define CTE_OUTPUT_NORMAL 6     /* three entries: unit normal */
+#define CTE_OUTPUT_ITERATIONS 9 /* Newton iterations of the projection */
+#define CTE_OUTPUT_FEATURE 10   /* outside: 1 + edge (0..3) or 5 + vertex (0..3); else 0 */
+#define CTE_OUTPUT_SIZE 11
+
+typedef struct cte_element cte_element; /* opaque, immutable, static */
+
+/* ------------------------------------------------------------------ cte_info: what an element is */
+typedef struct cte_info {
+  uint32_t struct_size;      /* in: sizeof(cte_info) */
+  int32_t dimension;         /* 2 or 3 */
+  int32_t nodes_minimum;     /* nodes in a call; maximum 0: no limit (interpolated slaves) */
+  int32_t nodes_maximum;
+  int32_t slave_nodes;       /* 0: given in the call as nslave */
+  int32_t master_nodes;      /* 0: rigid master */
+  int32_t unknowns;          /* for the nnode asked about */
+  int32_t parameters;        /* number of parameters */
+  int32_t history;           /* doubles of history */
+  int32_t points;            /* contact points; outputs: points * CTE_OUTPUT_SIZE doubles */
+  int32_t projected;         /* projected parameters per contact point: 0, 1 or 2 */
+  uint32_t requests;         /* request bits offered */
+  int32_t symmetric;         /* 1: K is symmetric */
+  int32_t operations;        /* arithmetic operations of one closed evaluation of the point programs */
+  int64_t workspace;         /* doubles of workspace for the nnode asked about */
+  uint64_t formulation;      /* hash of the formulation: changes when the generated code means something else */
+  const char *name;          /* zero-terminated, static */
+  const char *documentation; /* zero-terminated, static: the declaration's comment */
+  uint64_t reserved[8];
+} cte_info;
+
+/* ------------------------------------------------------------------ cte_arguments: one evaluation */
+typedef struct cte_arguments {
+  uint32_t struct_size;    /* in: sizeof(cte_arguments) */
+  uint32_t request;        /* CTE_RESIDUAL | ... */
+  int32_t nnode;           /* nodes in this call; 0: the element's own number */
+  int32_t nslave;          /* interpolated slaves: number of slave nodes; else 0 */
+  int64_t element_id;      /* the host's number; not used */
+  int32_t step;            /* not used */
+  int32_t increment;       /* not used */
+  int32_t iteration;       /* not used */
+  int32_t parameter_count; /* entries of parameters */
+  double t;                /* time at the end of the step; not used */
+  double dt;               /* not used */
+  const double *x;         /* reference coordinates [node][component] [length] */
+  const double *u;         /* displacements at the end of the step, same shape; null: zero */
+  const double *u_old;     /* at its start; null allowed; not used without friction */
+  const double *v;         /* velocities; null allowed; not used */
+  int64_t x_node_stride;   /* doubles from node to node in x; 0: dimension */
+  int64_t u_node_stride;   /* the same in u, u_old, v; 0: dimension */
+  const double *parameters;
+  const double *hist_old;  /* accepted history; null: the projection starts from the centre */
+  double *hist_new;        /* trial history; may be the same array as hist_old */
+  const double *slave_row; /* interpolated slaves: shape functions of the slave point [nslave], then its weight */
+  double *f;               /* residual; entry i goes to f[unknown_map ? unknown_map[i] : i] */
+  double *k;               /* tangent; entry (i,j) goes to k[row(i)*k_row_stride + row(j)*k_col_stride] */
+  int64_t k_row_stride;    /* 0 with k_col_stride 0: row-major, dense */
+  int64_t k_col_stride;
+  const int32_t *unknown_map; /* element unknown -> host row; null: identity */
+  double f_scale;          /* f is multiplied by it; 0: 1 */
+  double k_scale;          /* K is multiplied by it; 0: 1 */
+  double *output;          /* [points][CTE_OUTPUT_SIZE] */
+  double *energy;          /* [1] contact energy [force*length] */
+  double *workspace;       /* [cte_info.workspace]; null allowed where that is 0 */
+  int64_t workspace_size;  /* doubles in workspace */
+  double dt_ratio;         /* out: 1, or a wish for a smaller step (0.5) with CTE_CUT_BACK */
+  int32_t status;          /* out: CTE_STATUS_* of the element */
+  int32_t closed_points;   /* out: how many contact points are closed */
+  int32_t error_argument;  /* out: CTE_ARGUMENT_* with a return other than 0 */
+  int32_t error_index;     /* out: entry, node or contact point within that argument */
+  uint64_t reserved[8];
+} cte_arguments;
+
+/* ------------------------------------------------------------------ cte_batch: many contacts of one element
+ * Array layout: entry (element e, node a, component c) of x stands at
+ * x[e*x_element_stride + a*x_node_stride + c*x_component_stride]; u likewise. Strides 0,0,0 mean
+ * [element][node][component], dense. With `connectivity` the coordinates are gathered from global
+ * arrays instead: node a of element e is node connectivity[e*nnode + a] of x and u.
+ * Outputs: f and k per element (dense, f_element_stride, k_element_stride; 0: dense), and/or scattered:
+ * global_f[unknown] += and csr_values[csr_map[e*unknowns^2 + i*unknowns + j]] += , see cte_csr_map.
+ * The elements are evaluated one after the other in order, so sums are reproducible. */
+typedef struct cte_batch {
+  uint32_t struct_size;
+  uint32_t request;
+  int32_t nslave;              /* interpolated slaves: slave nodes of every element */
+  int32_t parameter_count;
+  const double *x;
+  const double *u;             /* null: zero */
+  int64_t x_element_stride, x_node_stride, x_component_stride;
+  int64_t u_element_stride, u_node_stride, u_component_stride;
+  const int32_t *connectivity; /* [n][nnode], null: array layout */
+  int64_t global_nodes;        /* with connectivity: nodes in x and u, for checking */
+  const double *parameters;
+  int64_t parameter_element_stride; /* 0: one set for all */
+  const double *hist_old;      /* [n][history], null allowed */
+  double *hist_new;            /* [n][history] */
+  const double *slave_row;     /* [n][nslave + 1] */
+  double *f;                   /* [n][unknowns], null allowed when global_f is given */
+  double *k;                   /* [n][unknowns][unknowns] row-major, null allowed when csr_values is given */
+  int64_t f_element_stride;
+  int64_t k_element_stride;
+  double *global_f;            /* [global_nodes*dimension]: node*dimension + component; added to */
+  double *csr_values;          /* the caller's CSR values; added to */
+  const int64_t *csr_map;      /* [n][unknowns][unknowns], made once by cte_csr_map */
+  double f_scale, k_scale;     /* 0: 1 */
+  double *output;              /* [n][points][CTE_OUTPUT_SIZE] */
+  double *energy;              /* [n] */
+  int32_t *status;             /* [n] required: CTE_STATUS_* */
+  int32_t *code;               /* [n] or null: return code of each element; the others stay valid */
+  double *workspace;           /* [cte_info.batch_workspace asked with cte_element_batch_workspace] */
+  int64_t workspace_size;
+  int64_t failed;              /* out: elements with a code other than 0 */
+  int32_t error_argument;      /* out: of the first failing element, or of the batch itself */
+  int32_t error_index;
+  uint64_t reserved[8];
+} cte_batch;
+
+/* ------------------------------------------------------------------ functions */
+
+/* Version of the interface of the library in use: major << 16 | minor. */
+uint32_t cte_abi_version(void);
+
+/* Number of elements. */
+int32_t cte_element_count(void);
+
+/* Element by index 0 .. count-1; null outside. Indices never change within a major version. */
+const cte_element *cte_element_get(int32_t index);
+
+/* Index of an element by name; name need not be zero-terminated, trailing blanks are ignored (Fortran).
+ * Returns 0, CTE_ERROR_NULL or CTE_ERROR_NAME. */
+int32_t cte_element_find(const char *name, int32_t length, int32_t *index);
+
+/* Describes an element. nnode: nodes of a call (matters for interpolated slaves; 0: the minimum). */
+int32_t cte_element_info(const cte_element *element, int32_t nnode, cte_info *info);
+
+/* Unknown `index` of a call with nnode nodes: its node and its kind (CTE_UNKNOWN_*). */
+int32_t cte_element_unknown(const cte_element *element, int32_t nnode, int32_t index, int32_t *node, int32_t *kind);
+
+/* Parameter `index`: name and unit (static, zero-terminated), range and default. Any output may be null.
+ * A range is closed at a bound when the corresponding bit of *closed is set (1 lower, 2 upper). */
+int32_t cte_element_parameter(const cte_element *element, int32_t index, const char **name, const char **unit,
+                              double *lower, double *upper, int32_t *closed);
+
+/* Checks count parameters. 0, or CTE_ERROR_PARAMETER / CTE_ERROR_NOT_FINITE with the first bad one in *index. */
+int32_t cte_element_check_parameters(const cte_element *element, const double *parameters, int32_t count, int32_t *index);
+
+/* Writes the initial history: per contact point [status, projected parameters], open, at the centre. */
+int32_t cte_element_history_init(const cte_element *element, double *history);
+
+/* Evaluates one element. The scalars at the end of *arguments (dt_ratio .. error_index) are always written. */
+int32_t cte_element_evaluate(const cte_element *element, cte_arguments *arguments);
+
+/* Doubles of workspace that a batch needs. */
+int64_t cte_element_batch_workspace(const cte_element *element, int32_t nslave);
+
+/* Evaluates n contacts of one element. 0: all fine; CTE_CUT_BACK: some failed, see status and code; < 0:
+ * nothing was written. */
+int32_t cte_element_evaluate_batch(const cte_element *element, int64_t n, cte_batch *batch);
+
+/* Makes the scatter map of n elements once: position in the CSR values of every entry of every element
+ * matrix. row_start [rows+1], column [row_start[rows]] sorted within each row, rows = global_nodes *
+ * dimension. CTE_ERROR_INDEX when an entry is missing from the pattern. map: [n][unknowns][unknowns]. */
+int32_t cte_csr_map(const cte_element *element, int64_t n, int32_t nslave, const int32_t *connectivity,
+                    int64_t rows, const int64_t *row_start, const int32_t *column, int64_t *map);
+
+/* What a return code means; static, never null. */
+const char *cte_code_message(int32_t code);
+
+/* What a status means; static, never null. */
+const char *cte_status_message(int32_t status);
+
+/* The name of an argument (CTE_ARGUMENT_*); static, never null. */
+const char *cte_argument_name(int32_t argument);
+
+/* Writes "argument `parameters`, entry 1 (eps_n): a parameter is outside its range ..." for the outcome of
+ * the last evaluation with *arguments. Zero-terminated, cut to size. Returns the length needed. */
+int32_t cte_element_message(const cte_element *element, const cte_arguments *arguments, int32_t code, char *text, int32_t size);
+
+/* For hosts that dlopen: the functions above in one table. */
+typedef struct cte_api_table {
+  uint32_t struct_size;
+  uint32_t version;
+  int32_t (*element_count)(void);
+  const cte_element *(*element_get)(int32_t);
+  int32_t (*element_find)(const char *, int32_t, int32_t *);
+  int32_t (*element_info)(const cte_element *, int32_t, cte_info *);
+  int32_t (*element_unknown)(const cte_element *, int32_t, int32_t, int32_t *, int32_t *);
+  int32_t (*element_parameter)(const cte_element *, int32_t, const char **, const char **, double *, double *, int32_t *);
+  int32_t (*element_check_parameters)(const cte_element *, const double *, int32_t, int32_t *);
+  int32_t (*element_history_init)(const cte_element *, double *);
+  int32_t (*element_evaluate)(const cte_element *, cte_arguments *);
+  int64_t (*element_batch_workspace)(const cte_element *, int32_t);
+  int32_t (*element_evaluate_batch)(const cte_element *, int64_t, cte_batch *);
+  int32_t (*csr_map)(const cte_element *, int64_t, int32_t, const int32_t *, int64_t, const int64_t *, const int32_t *, int64_t *);
+  const char *(*code_message)(int32_t);
+  const char *(*status_message)(int32_t);
+  const char *(*argument_name)(int32_t);
+  int32_t (*element_message)(const cte_element *, const cte_arguments *, int32_t, char *, int32_t);
+} cte_api_table;
+
+/* Fills *table. major: CTE_VERSION_MAJOR of this header. CTE_ERROR_VERSION when the library's differs. */
+int32_t cte_api(uint32_t major, cte_api_table *table);
+
+/* ------------------------------------------------------------------ Fortran 77
+ * Everything by address, no CHARACTER arguments, symbols with one trailing underscore. `element` is the
+ * element's index (contact_elements.inc gives each a PARAMETER), nodes etc. are INTEGER*4, reals REAL*8.
+ *
+ *   CALL CTE_F77_EVALUATE(ELEMENT, REQUEST, NNODE, NSLAVE, X, U, PARAMS, NPARAMS, HISOLD, HISNEW,
+ *  1                      SROW, F, K, LDK, OUT, ENERGY, STATUS, CODE)
+ *   X(dim,NNODE), U(dim,NNODE), K(LDK,*) column-major. Arrays that the request does not need are not touched.
+ *   For interpolated slaves up to 64 slave nodes; more need the module.
+ *   CALL CTE_F77_INFO(ELEMENT, NNODE, ISIZES)  ISIZES(1..8) = dimension, nodes_minimum, unknowns,
+ *                                              parameters, history, points, projected, symmetric
+ *   CALL CTE_F77_HISTORY_INIT(ELEMENT, HISTORY, CODE)
+ */
+void cte_f77_evaluate_(const int32_t *element, const int32_t *request, const int32_t *nnode, const int32_t *nslave,
+                       const double *x, const double *u, const double *parameters, const int32_t *parameter_count,
+                       const double *hist_old, double *hist_new, const double *slave_row, double *f, double *k,
+                       const int32_t *ldk, double *output, double *energy, int32_t *status, int32_t *code);
+void cte_f77_info_(const int32_t *element, const int32_t *nnode, int32_t *sizes);
+void cte_f77_history_init_(const int32_t *element, double *history, int32_t *code);
+
+/* Element symbols: one per element, int32_t NAME(cte_arguments *), see contact_elements_symbols.h. */
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,369 @@
+//! One element: checks, then the kernel.
+
+use core::cell::Cell;
+
+use super::describe::bad_parameter;
+use super::target::Target;
+use super::types::Arguments;
+use super::{Descriptor, argument, code, request};
+use crate::runtime::{Call, Coordinates, InputError, Nodes, Status, Summary, Wanted};
+
+/// What is wrong: return code, argument, entry.
+pub(super) type Fault = (i32, i32, usize);
+
+/// `cte_element_evaluate`.
+///
+/// # Safety
+/// `element` comes from this interface or is null; `arguments` points to a struct whose pointers are
+/// valid for the shapes that the header gives, or is null.
+pub unsafe fn element_evaluate(element: *const Descriptor, arguments: *mut Arguments) -> i32 {
+    // SAFETY: promised by the caller.
+    let (Some(element), false) = (unsafe { element.as_ref() }, arguments.is_null()) else {
+        return code::NULL;
+    };
+    // SAFETY: every struct begins with its size.
+    if (unsafe { (*arguments).struct_size } as usize) < size_of::<Arguments>() {
+        return code::STRUCT_SIZE;
+    }
+    // SAFETY: the caller's struct is at least as large as ours.
+    let arguments = unsafe { &mut *arguments };
+    // SAFETY: promised by the caller.
+    let result = unsafe { checked(element, arguments) };
+    arguments.dt_ratio = 1.0;
+    arguments.closed_points = 0;
+    arguments.status = Status::Open as i32;
+    (arguments.error_argument, arguments.error_index) = (argument::NONE, 0);
+    match result {
+        Ok(Ok(summary)) => {
+            arguments.status = summary.status as i32;
+            arguments.closed_points = summary.closed as i32;
+            code::SUCCESS
+        }
+        Ok(Err(error)) => {
+            if let Some(status) = error.status() {
+                arguments.status = status as i32;
+                arguments.dt_ratio = 0.5;
+            }
+            let (code, name, index) = fault_of(error);
+            (arguments.error_argument, arguments.error_index) = (name, index as i32);
+            code
+        }
+        Err((code, name, index)) => {
+            (arguments.error_argument, arguments.error_index) = (name, index as i32);
+            code
+        }
+    }
+}
+
+/// Return code, argument and entry of a kernel's error.
+pub(super) fn fault_of(error: InputError) -> Fault {
+    match error {
+        InputError::Position(node) => (code::NOT_FINITE, argument::X, node),
+        InputError::Displacement(node) => (code::NOT_FINITE, argument::U, node),
+        InputError::History(entry) => (code::NOT_FINITE, argument::HISTORY_OLD, entry),
+        InputError::SlaveRow(entry) => (code::NOT_FINITE, argument::SLAVE_ROW, entry),
+        InputError::Workspace => (code::WORKSPACE, argument::WORKSPACE, 0),
+        InputError::Point(failure) => (code::CUT_BACK, argument::X, failure.point),
+    }
+}
+
+/// Checks the arguments, then runs the kernel.
+///
+/// # Safety
+/// As [`element_evaluate`].
+unsafe fn checked(
+    element: &Descriptor,
+    arguments: &Arguments,
+) -> Result<Result<Summary, InputError>, Fault> {
+    check_request(element, arguments.request, arguments.hist_old.is_null())?;
+    check_outputs(arguments)?;
+    let (n, nslave) = node_counts(element, arguments)?;
+    // SAFETY: promised by the caller.
+    let parameters =
+        unsafe { parameters(element, arguments.parameters, arguments.parameter_count)? };
+    let stride = |value: i64, name: i32| match usize::try_from(value) {
+        Ok(0) => Ok(element.dimension),
+        Ok(stride) if stride >= element.dimension => Ok(stride),
+        _ => Err((code::STRIDE, name, 0)),
+    };
+    let x_stride = stride(arguments.x_node_stride, argument::X)?;
+    let u_stride = stride(arguments.u_node_stride, argument::U)?;
+    // SAFETY: promised by the caller.
+    let mut target = unsafe { target(element, arguments, n)? };
+    // SAFETY: promised by the caller: n nodes at that stride.
+    let coordinates = |values: *const f64, node_stride: usize| Coordinates {
+        values: unsafe {
+            core::slice::from_raw_parts(values, (n - 1) * node_stride + element.dimension)
+        },
+        offset: 0,
+        node_stride,
+        component_stride: 1,
+    };
+    let nodes = Nodes {
+        x: coordinates(arguments.x, x_stride),
+        u: (!arguments.u.is_null()).then(|| coordinates(arguments.u, u_stride)),
+        connectivity: None,
+        count: n,
+    };
+    // SAFETY: promised by the caller.
+    let (history, slave_row, memory) = unsafe {
+        (
+            history(element, arguments.hist_old),
+            slave_row(element, arguments.slave_row, nslave)?,
+            workspace(
+                arguments.workspace,
+                arguments.workspace_size,
+                element.workspace(n),
+            )?,
+        )
+    };
+    let call = Call {
+        parameters,
+        history,
+        slave_row,
+        wanted: wanted(arguments.request),
+    };
+    let result = (element.kernel)(&call, &nodes, memory, &mut target);
+    if result.is_ok() && arguments.request & request::SYMMETRISE != 0 && !target.k.is_null() {
+        target.symmetrise();
+    }
+    Ok(result)
+}
+
+pub(super) fn wanted(bits: u32) -> Wanted {
+    Wanted {
+        residual: bits & request::RESIDUAL != 0,
+        tangent: bits & request::TANGENT != 0,
+        freeze: bits & request::FREEZE_STATE != 0,
+        projection_given: bits & request::PROJECTION_GIVEN != 0,
+    }
+}
+
+pub(super) fn check_request(
+    element: &Descriptor,
+    bits: u32,
+    no_history: bool,
+) -> Result<(), Fault> {
+    let refused = bits & !element.requests();
+    if refused != 0 {
+        return Err((
+            code::REQUEST,
+            argument::REQUEST,
+            refused.trailing_zeros() as usize,
+        ));
+    }
+    if bits & (request::FREEZE_STATE | request::PROJECTION_GIVEN) != 0 && no_history {
+        return Err((code::NULL, argument::HISTORY_OLD, 0));
+    }
+    Ok(())
+}
+
+fn check_outputs(arguments: &Arguments) -> Result<(), Fault> {
+    let bits = arguments.request;
+    let required = [
+        (true, arguments.x.is_null(), argument::X),
+        (true, arguments.parameters.is_null(), argument::PARAMETERS),
+        (
+            bits & request::RESIDUAL != 0,
+            arguments.f.is_null(),
+            argument::F,
+        ),
+        (
+            bits & request::TANGENT != 0,
+            arguments.k.is_null(),
+            argument::K,
+        ),
+        (
+            bits & request::HISTORY != 0,
+            arguments.hist_new.is_null(),
+            argument::HISTORY_NEW,
+        ),
+        (
+            bits & request::OUTPUT != 0,
+            arguments.output.is_null(),
+            argument::OUTPUT,
+        ),
+        (
+            bits & request::ENERGY != 0,
+            arguments.energy.is_null(),
+            argument::ENERGY,
+        ),
+    ];
+    for (needed, null, name) in required {
+        if needed && null {
+            return Err((code::NULL, name, 0));
+        }
+    }
+    Ok(())
+}
+
+fn node_counts(element: &Descriptor, arguments: &Arguments) -> Result<(usize, usize), Fault> {
+    let nslave = match usize::try_from(arguments.nslave) {
+        Ok(0) if !element.interpolated => element.slave_nodes,
+        Ok(n) if n > 0 && (element.interpolated || n == element.slave_nodes) => n,
+        _ => return Err((code::NODE_COUNT, argument::NSLAVE, 0)),
+    };
+    let n = element.nodes(nslave);
+    match usize::try_from(arguments.nnode) {
+        Ok(given) if given == 0 || given == n => Ok((n, nslave)),
+        _ => Err((code::NODE_COUNT, argument::NNODE, 0)),
+    }
+}
+
+/// The parameters as a checked slice.
+///
+/// # Safety
+/// `values` points to `count` numbers.
+pub(super) unsafe fn parameters<'a>(
+    element: &Descriptor,
+    values: *const f64,
+    count: i32,
+) -> Result<&'a [f64], Fault> {
+    let count = usize::try_from(count).unwrap_or(0);
+    // SAFETY: promised by the caller.
+    let values = unsafe { core::slice::from_raw_parts(values, count) };
+    match bad_parameter(element, values) {
+        None => Ok(values),
+        Some((code, index)) => Err((code, argument::PARAMETERS, index)),
+    }
+}
+
+/// The old history as cells, because the new one may be the same array.
+///
+/// # Safety
+/// `values` is null or has the element's history.
+pub(super) unsafe fn history<'a>(
+    element: &Descriptor,
+    values: *const f64,
+) -> Option<&'a [Cell<f64>]> {
+    if values.is_null() {
+        return None;
+    }
+    // SAFETY: promised by the caller; Cell<f64> has the layout of f64.
+    Some(unsafe { core::slice::from_raw_parts(values.cast(), element.history()) })
+}
+
+/// The row and weight of an interpolated slave.
+///
+/// # Safety
+/// `values` is null or has nslave + 1 entries.
+pub(super) unsafe fn slave_row<'a>(
+    element: &Descriptor,
+    values: *const f64,
+    nslave: usize,
+) -> Result<&'a [f64], Fault> {
+    match (element.interpolated, values.is_null()) {
+        (false, _) => Ok(&[]),
+        (true, true) => Err((code::NULL, argument::SLAVE_ROW, 0)),
+        // SAFETY: promised by the caller.
+        (true, false) => Ok(unsafe { core::slice::from_raw_parts(values, nslave + 1) }),
+    }
+}
+
+/// The workspace, where one is needed.
+///
+/// # Safety
+/// `memory` is null or has `size` entries.
+pub(super) unsafe fn workspace<'a>(
+    memory: *mut f64,
+    size: i64,
+    needed: usize,
+) -> Result<&'a mut [f64], Fault> {
+    if needed == 0 {
+        return Ok(&mut []);
+    }
+    if memory.is_null() {
+        return Err((code::NULL, argument::WORKSPACE, 0));
+    }
+    match usize::try_from(size) {
+        // SAFETY: promised by the caller.
+        Ok(size) if size >= needed => {
+            Ok(unsafe { core::slice::from_raw_parts_mut(memory, needed) })
+        }
+        _ => Err((code::WORKSPACE, argument::WORKSPACE, 0)),
+    }
+}
+
+/// A scale factor: 0 stands for 1.
+pub(super) fn scale(value: f64) -> Result<f64, Fault> {
+    if !crate::runtime::is_usable(value) {
+        return Err((code::NOT_FINITE, argument::SCALE, 0));
+    }
+    Ok(if value == 0.0 { 1.0 } else { value })
+}
+
+/// Where the outputs go.
+///
+/// # Safety
+/// As [`element_evaluate`].
+unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Result<Target, Fault> {
+    let bits = arguments.request;
+    let unknowns = n * element.dimension;
+    // SAFETY: promised by the caller.
+    let rows = unsafe { host_rows(arguments.unknown_map, unknowns)? };
+    let (row_stride, column_stride) =
+        strides(arguments.k_row_stride, arguments.k_col_stride, rows)?;
+    let if_wanted = |bit: u32, pointer: *mut f64| {
+        if bits & bit != 0 {
+            pointer
+        } else {
+            core::ptr::null_mut()
+        }
+    };
+    Ok(Target {
+        unknowns,
+        projected: element.projected,
+        f: if_wanted(request::RESIDUAL, arguments.f),
+        k: if_wanted(request::TANGENT, arguments.k),
+        row_stride,
+        column_stride,
+        map: arguments.unknown_map,
+        f_scale: scale(arguments.f_scale)?,
+        k_scale: scale(arguments.k_scale)?,
+        global_f: core::ptr::null_mut(),
+        connectivity: core::ptr::null(),
+        dimension: element.dimension,
+        csr_values: core::ptr::null_mut(),
+        csr_map: core::ptr::null(),
+        output: if_wanted(request::OUTPUT, arguments.output),
+        history: if_wanted(request::HISTORY, arguments.hist_new).cast(),
+        energy: if_wanted(request::ENERGY, arguments.energy),
+    })
+}
+
+/// Number of host rows that the map reaches.
+///
+/// # Safety
+/// `map` is null or has `unknowns` entries.
+unsafe fn host_rows(map: *const i32, unknowns: usize) -> Result<usize, Fault> {
+    if map.is_null() {
+        return Ok(unknowns);
+    }
+    // SAFETY: promised by the caller.
+    let map = unsafe { core::slice::from_raw_parts(map, unknowns) };
+    let mut rows = 0;
+    for (index, &row) in map.iter().enumerate() {
+        match usize::try_from(row) {
+            Ok(row) => rows = rows.max(row + 1),
+            Err(_) => return Err((code::INDEX, argument::UNKNOWN_MAP, index)),
+        }
+    }
+    Ok(rows)
+}
+
+/// Strides that keep all entries apart; 0, 0 stands for dense row-major.
+fn strides(row: i64, column: i64, rows: usize) -> Result<(usize, usize), Fault> {
+    let fault = (code::STRIDE, argument::K_STRIDE, 0);
+    let (Ok(row), Ok(column)) = (usize::try_from(row), usize::try_from(column)) else {
+        return Err(fault);
+    };
+    if row == 0 && column == 0 {
+        return Ok((rows, 1));
+    }
+    let apart = |small: usize, large: usize| large.checked_div(small).is_some_and(|n| n >= rows);
+    if apart(column, row) || apart(row, column) {
+        Ok((row, column))
+    } else {
+        Err(fault)
+    }
+}

@@ -1,0 +1,192 @@
+//! Fortran 77: everything by address, no CHARACTER arguments, elements by index.
+
+use super::describe::{element_get, element_history_init, element_info, write};
+use super::evaluate::element_evaluate;
+use super::types::{Arguments, Info};
+use super::{Descriptor, argument, code};
+use crate::runtime::workspace;
+
+/// Slave nodes of an interpolated element that this interface has scratch for.
+const MOST_SLAVES: usize = 64;
+/// Scratch for those and a master of up to 16 nodes in 3D.
+const SCRATCH: usize = workspace(MOST_SLAVES + 16, 3, 2);
+
+/// The element behind an index.
+///
+/// # Safety
+/// `index` is null or points to an integer.
+unsafe fn element(elements: &[&'static Descriptor], index: *const i32) -> *const Descriptor {
+    // SAFETY: promised by the caller.
+    match unsafe { index.as_ref() } {
+        Some(&index) => element_get(elements, index),
+        None => core::ptr::null(),
+    }
+}
+
+/// The integer behind an address, 0 for null.
+///
+/// # Safety
+/// `value` is null or points to an integer.
+unsafe fn integer(value: *const i32) -> i32 {
+    // SAFETY: promised by the caller.
+    unsafe { value.as_ref() }.copied().unwrap_or(0)
+}
+
+/// `CTE_F77_EVALUATE`: see the header for shapes.
+///
+/// # Safety
+/// All addresses are valid for the shapes that the header gives.
+#[allow(clippy::too_many_arguments)]
+pub unsafe fn evaluate(
+    elements: &[&'static Descriptor],
+    (index, request, nnode, nslave): (*const i32, *const i32, *const i32, *const i32),
+    (x, u): (*const f64, *const f64),
+    (parameters, parameter_count): (*const f64, *const i32),
+    (hist_old, hist_new): (*const f64, *mut f64),
+    slave_row: *const f64,
+    (f, k, ldk): (*mut f64, *mut f64, *const i32),
+    (output, energy): (*mut f64, *mut f64),
+    (status, result): (*mut i32, *mut i32),
+) {
+    // SAFETY: promised by the caller.
+    unsafe {
+        let element = element(elements, index);
+        if element.is_null() {
+            write(result, code::INDEX);
+            return;
+        }
+        let mut scratch = [0.0; SCRATCH];
+        let needs_scratch = (*element).interpolated;
+        let mut arguments = blank();
+        arguments.request = integer(request) as u32;
+        arguments.nnode = integer(nnode);
+        arguments.nslave = integer(nslave);
+        arguments.parameter_count = integer(parameter_count);
+        (arguments.x, arguments.u, arguments.parameters) = (x, u, parameters);
+        (arguments.hist_old, arguments.hist_new) = (hist_old, hist_new);
+        (arguments.slave_row, arguments.f, arguments.k) = (slave_row, f, k);
+        (arguments.k_row_stride, arguments.k_col_stride) = (1, i64::from(integer(ldk)));
+        (arguments.output, arguments.energy) = (output, energy);
+        if needs_scratch {
+            arguments.workspace = scratch.as_mut_ptr();
+            arguments.workspace_size = SCRATCH as i64;
+        }
+        write(result, element_evaluate(element, &raw mut arguments));
+        write(status, arguments.status);
+    }
+}
+
+/// Arguments with nothing in them.
+fn blank() -> Arguments {
+    Arguments {
+        struct_size: size_of::<Arguments>() as u32,
+        request: 0,
+        nnode: 0,
+        nslave: 0,
+        element_id: 0,
+        step: 0,
+        increment: 0,
+        iteration: 0,
+        parameter_count: 0,
+        t: 0.0,
+        dt: 0.0,
+        x: core::ptr::null(),
+        u: core::ptr::null(),
+        u_old: core::ptr::null(),
+        v: core::ptr::null(),
+        x_node_stride: 0,
+        u_node_stride: 0,
+        parameters: core::ptr::null(),
+        hist_old: core::ptr::null(),
+        hist_new: core::ptr::null_mut(),
+        slave_row: core::ptr::null(),
+        f: core::ptr::null_mut(),
+        k: core::ptr::null_mut(),
+        k_row_stride: 0,
+        k_col_stride: 0,
+        unknown_map: core::ptr::null(),
+        f_scale: 0.0,
+        k_scale: 0.0,
+        output: core::ptr::null_mut(),
+        energy: core::ptr::null_mut(),
+        workspace: core::ptr::null_mut(),
+        workspace_size: 0,
+        dt_ratio: 1.0,
+        status: 0,
+        closed_points: 0,
+        error_argument: argument::NONE,
+        error_index: 0,
+        reserved: [0; 8],
+    }
+}
+
+/// `CTE_F77_INFO`: dimension, nodes_minimum, unknowns, parameters, history, points, projected, symmetric;
+/// all −1 for an index or node count that does not exist.
+///
+/// # Safety
+/// All addresses are valid; `sizes` has 8 entries.
+pub unsafe fn info(
+    elements: &[&'static Descriptor],
+    index: *const i32,
+    nnode: *const i32,
+    sizes: *mut i32,
+) {
+    if sizes.is_null() {
+        return;
+    }
+    let mut info = Info {
+        struct_size: size_of::<Info>() as u32,
+        dimension: -1,
+        nodes_minimum: -1,
+        nodes_maximum: -1,
+        slave_nodes: -1,
+        master_nodes: -1,
+        unknowns: -1,
+        parameters: -1,
+        history: -1,
+        points: -1,
+        projected: -1,
+        requests: 0,
+        symmetric: -1,
+        operations: -1,
+        workspace: -1,
+        formulation: 0,
+        name: core::ptr::null(),
+        documentation: core::ptr::null(),
+        reserved: [0; 8],
+    };
+    // SAFETY: promised by the caller.
+    unsafe {
+        element_info(element(elements, index), integer(nnode), &raw mut info);
+        let values = [
+            info.dimension,
+            info.nodes_minimum,
+            info.unknowns,
+            info.parameters,
+            info.history,
+            info.points,
+            info.projected,
+            info.symmetric,
+        ];
+        core::ptr::copy_nonoverlapping(values.as_ptr(), sizes, values.len());
+    }
+}
+
+/// `CTE_F77_HISTORY_INIT`.
+///
+/// # Safety
+/// All addresses are valid.
+pub unsafe fn history_init(
+    elements: &[&'static Descriptor],
+    index: *const i32,
+    values: *mut f64,
+    result: *mut i32,
+) {
+    // SAFETY: promised by the caller.
+    unsafe {
+        write(
+            result,
+            element_history_init(element(elements, index), values),
+        )
+    };
+}

@@ -1,0 +1,186 @@
+//! Texts of the interface: static, zero-terminated, each says what to do.
+
+use super::types::Arguments;
+use super::{Descriptor, argument, code};
+
+/// What a return code means; `cte_code_message`.
+pub fn code_message(value: i32) -> *const u8 {
+    code_text(value).as_ptr()
+}
+
+fn code_text(value: i32) -> &'static str {
+    match value {
+        code::SUCCESS => "success\0",
+        code::CUT_BACK => {
+            "a contact point cannot be evaluated in this state: redo the increment with a smaller step\0"
+        }
+        code::NULL => "a required pointer is null\0",
+        code::STRUCT_SIZE => {
+            "struct_size is smaller than this version's struct: set it to sizeof of the struct\0"
+        }
+        code::NODE_COUNT => "the number of nodes does not fit the element: see cte_element_info\0",
+        code::PARAMETER => {
+            "a parameter is missing or outside its range: see cte_element_parameter\0"
+        }
+        code::REQUEST => {
+            "an unknown request bit, or one the element does not offer: see cte_info.requests\0"
+        }
+        code::WORKSPACE => "the workspace is too small: see cte_info.workspace\0",
+        code::NOT_FINITE => "a value is NaN, infinite or larger than 1e30\0",
+        code::INDEX => "an index is out of range\0",
+        code::NAME => "no element of that name: see cte_element_get\0",
+        code::VERSION => "the library has another major version than the header\0",
+        code::STRIDE => "strides are negative or let entries overlap\0",
+        _ => "not a return code of this library\0",
+    }
+}
+
+/// What a status means; `cte_status_message`.
+pub fn status_message(value: i32) -> *const u8 {
+    let text = match value {
+        0 => "open\0",
+        1 => "closed\0",
+        4 => "outside: the projection lies beyond an edge or vertex of the master\0",
+        5 => "not converged: the projection did not converge from its start\0",
+        6 => "not unique: focal surface, axis or parallel tangents\0",
+        7 => "degenerate: zero area or length, or zero distance in codimension 2 or 3\0",
+        8 => "law: the gap is outside the normal law's domain\0",
+        _ => "not a status of this library\0",
+    };
+    text.as_ptr()
+}
+
+/// Name of an argument; `cte_argument_name`.
+pub fn argument_name(value: i32) -> *const u8 {
+    argument_text(value).as_ptr()
+}
+
+fn argument_text(value: i32) -> &'static str {
+    match value {
+        argument::NONE => "none\0",
+        argument::STRUCT_SIZE => "struct_size\0",
+        argument::REQUEST => "request\0",
+        argument::NNODE => "nnode\0",
+        argument::NSLAVE => "nslave\0",
+        argument::X => "x\0",
+        argument::U => "u\0",
+        argument::PARAMETERS => "parameters\0",
+        argument::HISTORY_OLD => "hist_old\0",
+        argument::HISTORY_NEW => "hist_new\0",
+        argument::SLAVE_ROW => "slave_row\0",
+        argument::F => "f\0",
+        argument::K => "k\0",
+        argument::K_STRIDE => "k_row_stride, k_col_stride\0",
+        argument::UNKNOWN_MAP => "unknown_map\0",
+        argument::SCALE => "f_scale, k_scale\0",
+        argument::OUTPUT => "output\0",
+        argument::ENERGY => "energy\0",
+        argument::WORKSPACE => "workspace\0",
+        argument::ELEMENT => "element\0",
+        argument::INFO => "info\0",
+        argument::NAME => "name\0",
+        argument::BATCH => "batch\0",
+        argument::CONNECTIVITY => "connectivity\0",
+        argument::CSR => "csr_values, csr_map\0",
+        argument::STATUS => "status\0",
+        _ => "unknown\0",
+    }
+}
+
+/// Collects text into a caller's buffer and counts what did not fit.
+struct Writer {
+    text: *mut u8,
+    size: usize,
+    length: usize,
+}
+
+impl Writer {
+    fn push(&mut self, text: &str) {
+        for byte in text.trim_end_matches('\0').bytes() {
+            if self.length + 1 < self.size {
+                // SAFETY: the caller gave `size` bytes.
+                unsafe { *self.text.add(self.length) = byte };
+            }
+            self.length += 1;
+        }
+    }
+
+    fn number(&mut self, value: i32) {
+        let mut digits = [b'0'; 10];
+        let mut rest = value.unsigned_abs();
+        let mut used = 0;
+        for digit in digits.iter_mut().rev() {
+            *digit = b'0' + (rest % 10) as u8;
+            used += 1;
+            rest /= 10;
+            if rest == 0 {
+                break;
+            }
+        }
+        let tail = digits.get(10 - used..).unwrap_or(&[]);
+        self.push(core::str::from_utf8(tail).unwrap_or(""));
+    }
+
+    fn finish(self) -> i32 {
+        if self.size > 0 {
+            // SAFETY: the caller gave `size` bytes.
+            unsafe { *self.text.add(self.length.min(self.size - 1)) = 0 };
+        }
+        self.length as i32
+    }
+}
+
+/// `cte_element_message`.
+///
+/// # Safety
+/// Pointers come from this interface, or are null; `text` has room for `size` bytes.
+pub unsafe fn element_message(
+    element: *const Descriptor,
+    arguments: *const Arguments,
+    value: i32,
+    text: *mut u8,
+    size: i32,
+) -> i32 {
+    let size = if text.is_null() {
+        0
+    } else {
+        usize::try_from(size).unwrap_or(0)
+    };
+    let mut writer = Writer {
+        text,
+        size,
+        length: 0,
+    };
+    // SAFETY: promised by the caller.
+    let (element, arguments) = unsafe { (element.as_ref(), arguments.as_ref()) };
+    if let Some(element) = element {
+        writer.push(element.name);
+        writer.push(": ");
+    }
+    if let Some(arguments) = arguments.filter(|_| value != code::SUCCESS) {
+        describe_place(&mut writer, element, arguments);
+    }
+    writer.push(code_text(value));
+    writer.finish()
+}
+
+fn describe_place(writer: &mut Writer, element: Option<&Descriptor>, arguments: &Arguments) {
+    if arguments.error_argument == argument::NONE {
+        return;
+    }
+    writer.push("argument `");
+    writer.push(argument_text(arguments.error_argument));
+    writer.push("`, entry ");
+    writer.number(arguments.error_index);
+    if arguments.error_argument == argument::PARAMETERS {
+        let parameter = usize::try_from(arguments.error_index)
+            .ok()
+            .and_then(|index| element?.parameters.get(index));
+        if let Some(parameter) = parameter {
+            writer.push(" (");
+            writer.push(parameter.name);
+            writer.push(")");
+        }
+    }
+    writer.push(": ");
+}

@@ -1,0 +1,175 @@
+//! Where the outputs of one element go: the host's arrays with their strides, maps and scales.
+
+use core::cell::Cell;
+
+use super::OUTPUT_SIZE;
+use crate::runtime::{Receiver, Report};
+
+/// Outputs of one element. Null pointers are outputs that nobody asked for.
+#[derive(Debug)]
+pub struct Target {
+    pub(super) unknowns: usize,
+    pub(super) projected: usize,
+    pub(super) f: *mut f64,
+    pub(super) k: *mut f64,
+    pub(super) row_stride: usize,
+    pub(super) column_stride: usize,
+    pub(super) map: *const i32,
+    pub(super) f_scale: f64,
+    pub(super) k_scale: f64,
+    pub(super) global_f: *mut f64,
+    /// Node numbers of the element in `global_f`.
+    pub(super) connectivity: *const i32,
+    pub(super) dimension: usize,
+    pub(super) csr_values: *mut f64,
+    /// Positions of this element's entries.
+    pub(super) csr_map: *const i64,
+    pub(super) output: *mut f64,
+    pub(super) history: *const Cell<f64>,
+    pub(super) energy: *mut f64,
+}
+
+impl Target {
+    /// Row or column of the host for an unknown.
+    #[inline(always)]
+    fn host(&self, unknown: usize) -> usize {
+        if self.map.is_null() {
+            unknown
+        } else {
+            // SAFETY: the map has one non-negative entry per unknown, checked on entry.
+            unsafe { *self.map.add(unknown) as usize }
+        }
+    }
+
+    /// Adds to the host's sparse row.
+    #[inline(always)]
+    fn scatter_row(&self, unknown: usize, row: &[f64]) {
+        for (column, &value) in row.iter().enumerate() {
+            // SAFETY: csr_map has unknowns² entries for this element, made by `csr_map` for these values.
+            unsafe {
+                let at = *self.csr_map.add(unknown * self.unknowns + column) as usize;
+                *self.csr_values.add(at) += self.k_scale * value;
+            }
+        }
+    }
+
+    /// Replaces K by (K + Kᵀ)/2.
+    pub(super) fn symmetrise(&mut self) {
+        for i in 0..self.unknowns {
+            for j in 0..i {
+                let (row, column) = (self.host(i), self.host(j));
+                // SAFETY: the host's matrix holds every pair of its rows, see the header.
+                unsafe {
+                    let lower = self
+                        .k
+                        .add(row * self.row_stride + column * self.column_stride);
+                    let upper = self
+                        .k
+                        .add(column * self.row_stride + row * self.column_stride);
+                    let mean = 0.5 * (*lower + *upper);
+                    *lower = mean;
+                    *upper = mean;
+                }
+            }
+        }
+    }
+}
+
+impl Receiver for Target {
+    fn open(&mut self, unknowns: usize) {
+        for i in 0..unknowns {
+            // SAFETY: f has an entry for every host row, k for every pair of them.
+            unsafe {
+                if !self.f.is_null() {
+                    *self.f.add(self.host(i)) = 0.0;
+                }
+                if !self.k.is_null() {
+                    for j in 0..unknowns {
+                        let at = self.host(i) * self.row_stride + self.host(j) * self.column_stride;
+                        *self.k.add(at) = 0.0;
+                    }
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn force(&mut self, (node, component): (usize, usize), value: f64, first: bool) {
+        let unknown = node * self.dimension + component;
+        let value = self.f_scale * value;
+        if !self.f.is_null() {
+            // SAFETY: f has an entry for every host row.
+            unsafe {
+                let entry = self.f.add(self.host(unknown));
+                *entry = if first { value } else { *entry + value };
+            }
+        }
+        if !self.global_f.is_null() {
+            // SAFETY: the connectivity was checked against global_nodes.
+            unsafe {
+                let node = *self.connectivity.add(node) as usize;
+                *self.global_f.add(node * self.dimension + component) += value;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn row(&mut self, unknown: usize, row: &[f64], first: bool) {
+        if !self.k.is_null() {
+            let start = self.host(unknown) * self.row_stride;
+            for (column, &value) in row.iter().enumerate() {
+                let value = self.k_scale * value;
+                // SAFETY: k has an entry for every pair of host rows.
+                unsafe {
+                    let entry = self.k.add(start + self.host(column) * self.column_stride);
+                    *entry = if first { value } else { *entry + value };
+                }
+            }
+        }
+        if !self.csr_values.is_null() {
+            self.scatter_row(unknown, row);
+        }
+    }
+
+    fn report(&mut self, point: usize, report: &Report) {
+        if !self.output.is_null() {
+            let [first, second] = report.zeta;
+            let [x, y, z] = report.normal;
+            let values: [f64; OUTPUT_SIZE] = [
+                f64::from(report.status as i32),
+                report.gap,
+                report.traction,
+                report.weight,
+                first,
+                second,
+                x,
+                y,
+                z,
+                f64::from(report.iterations),
+                f64::from(report.feature),
+            ];
+            // SAFETY: output has OUTPUT_SIZE entries per point.
+            unsafe {
+                let to = self.output.add(point * OUTPUT_SIZE);
+                core::ptr::copy_nonoverlapping(values.as_ptr(), to, OUTPUT_SIZE);
+            }
+        }
+        if !self.history.is_null() {
+            let size = 1 + self.projected;
+            // SAFETY: the history has `size` entries per point.
+            let entries =
+                unsafe { core::slice::from_raw_parts(self.history.add(point * size), size) };
+            let status = f64::from(report.status as i32);
+            for (entry, value) in entries.iter().zip([status].into_iter().chain(report.zeta)) {
+                entry.set(value);
+            }
+        }
+    }
+
+    fn energy(&mut self, energy: f64) {
+        if !self.energy.is_null() {
+            // SAFETY: energy has one entry.
+            unsafe { *self.energy = energy };
+        }
+    }
+}

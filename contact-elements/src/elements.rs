@@ -1,0 +1,3 @@
+//! Built-in elements, declared in the language (`library/elements.contact` of the generator).
+
+contact_macros::library!(elements);

@@ -1,0 +1,3 @@
+//! Built-in geometries, declared in the language (`library/geometries.contact` of the generator).
+
+contact_macros::library!(geometries);

@@ -1,0 +1,3 @@
+//! Built-in normal laws, declared in the language (`library/laws.contact` of the generator).
+
+contact_macros::library!(laws);

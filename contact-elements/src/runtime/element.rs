@@ -1,0 +1,145 @@
+//! The contract between the emitted code of an element and the driver.
+
+use super::shape::{Domain, NormalLaw, Traction};
+use super::values::{Coefficients, Gap, Measure, Rows, Status, Vectors};
+
+/// How the projection is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Search {
+    /// Newton from the given start.
+    Newton,
+    /// The pair is affine: one linear solve.
+    Affine,
+    /// A closed form of the declaration, or no projection at all.
+    Closed,
+}
+
+/// Where the groups of parameters begin in an element's list; the law's come first.
+#[derive(Clone, Copy, Debug)]
+pub struct Layout {
+    /// Offset r0.
+    pub r0: usize,
+    /// Orientation ±1 (0 stands for +1), with a signed gap.
+    pub orientation: Option<usize>,
+    /// Parameters of a rigid geometry.
+    pub geometry: usize,
+    /// Weights of a rational master.
+    pub master_weights: usize,
+    /// Weights of a rational slave.
+    pub slave_weights: usize,
+    /// Parameters of the integration point and its weight, where given at run time.
+    pub point: usize,
+    /// Placement of a rigid geometry.
+    pub placement: Option<usize>,
+    /// Number of parameters.
+    pub count: usize,
+}
+
+/// An element in D dimensions with P projected parameters, H = P(P+1)/2.
+pub trait Element<const D: usize, const P: usize, const H: usize> {
+    /// Normal law; its parameters come first.
+    type Law: NormalLaw;
+    /// Parameter list.
+    const LAYOUT: Layout;
+    /// How the projection is found.
+    const SEARCH: Search;
+    /// False where no unknown turns the tangents (rigid masters).
+    const MOVING: bool;
+    /// True for a gap with a sign.
+    const SIGNED: bool;
+    /// True where the measure moves with the slave.
+    const CURRENT: bool;
+    /// Slave nodes; 0: given in the call.
+    const SLAVE_NODES: usize;
+    /// Master nodes; 0: rigid.
+    const MASTER_NODES: usize;
+    /// Domains of the projected parameters: slave curve first where both are projected.
+    const DOMAINS: [Domain; 2];
+    /// What parallel tangents mean: degenerate for a facet, not unique for two curves.
+    const PARALLEL: Status;
+
+    /// Start of the projection where none is given.
+    const START: [f64; 2] = if Self::TWO_CURVES {
+        [Self::DOMAINS[0].centre()[0], Self::DOMAINS[1].centre()[0]]
+    } else {
+        Self::DOMAINS[0].centre()
+    };
+
+    /// [`Element::START`] as parameters.
+    #[inline(always)]
+    fn centre() -> [f64; P] {
+        core::array::from_fn(|i| Self::START.get(i).copied().unwrap_or(0.0))
+    }
+
+    /// True where ζ = (slave curve, master curve).
+    const TWO_CURVES: bool;
+
+    /// Extent by which steps in parameter i are measured.
+    #[inline(always)]
+    fn extent(i: usize) -> f64 {
+        if Self::TWO_CURVES {
+            Self::DOMAINS[i].extent(0)
+        } else {
+            Self::DOMAINS[0].extent(i)
+        }
+    }
+
+    /// 0 inside the domain, else the feature beyond which the projection lies: 1 + edge or 5 + vertex;
+    /// for two curves 1 + end (slave 0, 1, master 2, 3), or 5 + slave end + 2 × master end beyond both.
+    #[inline(always)]
+    fn feature(zeta: &[f64; P]) -> u8 {
+        const SLACK: f64 = 1e-12;
+        if P == 0 {
+            return 0;
+        }
+        let first = zeta[0];
+        let last = zeta[P - 1];
+        if !Self::TWO_CURVES {
+            return Self::DOMAINS[0].feature([first, last], SLACK);
+        }
+        let slave = Self::DOMAINS[0].feature([first, 0.0], SLACK);
+        let master = Self::DOMAINS[1].feature([last, 0.0], SLACK);
+        match (slave, master) {
+            (0, 0) => 0,
+            (end, 0) => end - 4,
+            (0, end) => end - 2,
+            (slave, master) => slave + 2 * (master - 5),
+        }
+    }
+
+    /// Writes the fixed row of the slave's point; nothing where it is projected or given in the call.
+    fn slave(point: usize, parameters: &[f64], s: &mut [f64]);
+
+    /// Kinematics at ζ; fills the rows of the nodes that depend on it.
+    fn kinematics(
+        x: &[[f64; D]],
+        zeta: &[f64; P],
+        parameters: &[f64],
+        rows: &mut Rows<'_, P>,
+    ) -> Vectors<D, P, H>;
+
+    /// Closed projection of the slave's point.
+    fn closed_projection(x: &[f64; D], parameters: &[f64]) -> [f64; P];
+
+    /// Normal, distance and gap. [eq:gap]
+    fn gap(vectors: &Vectors<D, P, H>, parameters: &[f64], orientation: f64) -> Gap<D>;
+
+    /// Coefficients of the tangent.
+    fn tangent(
+        vectors: &Vectors<D, P, H>,
+        gap: &Gap<D>,
+        traction: &Traction,
+        parameters: &[f64],
+        orientation: f64,
+    ) -> Coefficients<D, P>;
+
+    /// Weight times Jacobian of a point. `reference`, `x`: reference and current slave nodes. The rows
+    /// of the measure's variation go to `variation` (per slave unknown) where it moves.
+    fn measure(
+        point: usize,
+        reference: &[[f64; D]],
+        x: &[[f64; D]],
+        parameters: &[f64],
+        variation: &mut [f64],
+    ) -> Measure<D>;
+}

@@ -1,0 +1,302 @@
+//! From coordinates anywhere in memory to an evaluation: gather, local origin, scratch.
+
+use core::cell::Cell;
+
+use super::contraction::Temporaries;
+use super::driver::{Call, Failure, Receiver, Stage, Summary, evaluate};
+use super::element::Element;
+use super::placement::Placement;
+use super::values::{Rows, Status};
+use crate::arithmetic::abs;
+
+/// Where the coordinates of the nodes stand.
+#[derive(Clone, Copy, Debug)]
+pub struct Coordinates<'a> {
+    /// The array.
+    pub values: &'a [f64],
+    /// Position of node 0 (unused with a connectivity).
+    pub offset: usize,
+    /// Distance from node to node.
+    pub node_stride: usize,
+    /// Distance from component to component.
+    pub component_stride: usize,
+}
+
+/// The nodes of one element.
+#[derive(Clone, Copy, Debug)]
+pub struct Nodes<'a> {
+    /// Reference coordinates.
+    pub x: Coordinates<'a>,
+    /// Displacements; none: zero.
+    pub u: Option<Coordinates<'a>>,
+    /// Numbers of the nodes in the arrays; none: 0, 1, 2 …
+    pub connectivity: Option<&'a [i32]>,
+    /// Number of nodes.
+    pub count: usize,
+}
+
+/// An input that cannot be used: which array, which node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InputError {
+    /// A reference coordinate of this node is missing, NaN, infinite or beyond 1e30.
+    Position(usize),
+    /// A displacement of this node is.
+    Displacement(usize),
+    /// Entry of the history.
+    History(usize),
+    /// Entry of the slave row.
+    SlaveRow(usize),
+    /// The workspace is too small.
+    Workspace,
+    /// A contact point failed.
+    Point(Failure),
+}
+
+impl From<Failure> for InputError {
+    #[inline(always)]
+    fn from(failure: Failure) -> Self {
+        InputError::Point(failure)
+    }
+}
+
+/// Largest magnitude of a coordinate [length].
+const LARGEST: f64 = 1e30;
+
+/// True for finite values within the supported magnitude; looks at the bits only, so that a signalling
+/// NaN raises nothing.
+#[inline(always)]
+pub(crate) fn is_usable(value: f64) -> bool {
+    (value.to_bits() & !(1 << 63)) <= LARGEST.to_bits()
+}
+
+impl Coordinates<'_> {
+    #[inline(always)]
+    fn node<const D: usize>(&self, node: usize) -> Option<[f64; D]> {
+        let start = self.offset + node * self.node_stride;
+        let mut value = [0.0; D];
+        let mut usable = true;
+        if self.component_stride == 1 {
+            value = *self.values.get(start..)?.first_chunk::<D>()?;
+            for component in value {
+                usable &= is_usable(component);
+            }
+        } else {
+            for (k, value) in value.iter_mut().enumerate() {
+                *value = *self.values.get(start + k * self.component_stride)?;
+                usable &= is_usable(*value);
+            }
+        }
+        usable.then_some(value)
+    }
+}
+
+impl Nodes<'_> {
+    #[inline(always)]
+    fn reference<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
+        self.number(a)
+            .and_then(|node| self.x.node(node))
+            .ok_or(InputError::Position(a))
+    }
+
+    #[inline(always)]
+    fn displacement<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
+        match &self.u {
+            None => Ok([0.0; D]),
+            Some(u) => self
+                .number(a)
+                .and_then(|node| u.node(node))
+                .ok_or(InputError::Displacement(a)),
+        }
+    }
+
+    #[inline(always)]
+    fn number(&self, a: usize) -> Option<usize> {
+        match self.connectivity {
+            None => Some(a),
+            Some(list) => usize::try_from(*list.get(a)?).ok(),
+        }
+    }
+}
+
+/// Gathers the nodes relative to a local origin: the first slave node, or the frame of a placed geometry.
+/// Differences are taken of reference coordinates and of displacements apart, so that nothing is lost far
+/// from the origin. Returns the largest local coordinate.
+#[inline(always)]
+fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    nodes: &Nodes<'_>,
+    parameters: &[f64],
+    vectors: &[bool],
+    x: &mut [[f64; D]],
+    reference: &mut [[f64; D]],
+) -> Result<f64, InputError> {
+    let placement: Option<Placement<D>> = E::LAYOUT
+        .placement
+        .map(|at| Placement::from_parameters(parameters.get(at..).unwrap_or(&[])));
+    let rigid = E::MASTER_NODES == 0;
+    let (mut origin, mut shift) = ([0.0; D], [0.0; D]);
+    if let Some(placement) = &placement {
+        origin = placement.origin;
+    } else if !rigid {
+        origin = nodes.reference(0)?;
+        shift = nodes.displacement(0)?;
+    }
+    let mut scale: f64 = 0.0;
+    for (a, local) in x.iter_mut().enumerate() {
+        let position: [f64; D] = nodes.reference(a)?;
+        let displacement: [f64; D] = nodes.displacement(a)?;
+        let is_vector = vectors.get(a).copied().unwrap_or(false);
+        let mut value = position;
+        for k in 0..D {
+            value[k] = if is_vector {
+                position[k] + displacement[k]
+            } else {
+                (position[k] - origin[k]) + (displacement[k] - shift[k])
+            };
+        }
+        if let Some(reference) = reference.get_mut(a) {
+            for k in 0..D {
+                reference[k] = if is_vector {
+                    position[k]
+                } else {
+                    position[k] - origin[k]
+                };
+            }
+        }
+        *local = match &placement {
+            Some(placement) => placement.vector_to_local(&value),
+            None => value,
+        };
+        for k in 0..D {
+            scale = scale.max(abs(local[k]));
+        }
+    }
+    Ok(scale)
+}
+
+#[inline(always)]
+fn check_history(history: &[Cell<f64>]) -> Result<(), InputError> {
+    for (index, value) in history.iter().enumerate() {
+        if !is_usable(value.get()) {
+            return Err(InputError::History(index));
+        }
+    }
+    Ok(())
+}
+
+/// Kernel of an element with N nodes and Q points; W ≥ D·N is the length of the scratch rows.
+#[inline(always)]
+pub fn fixed<
+    E: Element<D, P, H>,
+    R: Receiver,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+    const N: usize,
+    const Q: usize,
+    const W: usize,
+>(
+    call: &Call<'_>,
+    nodes: &Nodes<'_>,
+    vectors: &[bool],
+    receiver: &mut R,
+) -> Result<Summary, InputError> {
+    if let Some(history) = call.history {
+        check_history(history)?;
+    }
+    let mut x = [[0.0; D]; N];
+    let mut reference = [[0.0; D]; N];
+    let scale = gather::<E, D, P, H>(nodes, call.parameters, vectors, &mut x, &mut reference)?;
+    let mut s = [0.0; N];
+    let mut ds = [[0.0; N]; P];
+    let mut u = [[0.0; W]; D];
+    let mut g = [[0.0; W]; P];
+    let (mut h, mut row, mut variation) = ([0.0; W], [0.0; W], [0.0; W]);
+    let mut stage = Stage {
+        x: &x,
+        reference: &reference,
+        scale,
+        rows: Rows {
+            s: &mut s,
+            ds: ds.each_mut().map(|row| row.as_mut_slice()),
+        },
+        temporaries: Temporaries {
+            u: u.each_mut().map(|row| row.as_mut_slice()),
+            g: g.each_mut().map(|row| row.as_mut_slice()),
+            h: &mut h,
+            row: &mut row,
+        },
+        variation: &mut variation,
+    };
+    Ok(evaluate::<E, R, D, P, H, Q>(call, &mut stage, receiver)?)
+}
+
+/// Doubles of workspace that `interpolated` needs for `n` nodes.
+#[inline]
+pub const fn workspace(n: usize, d: usize, p: usize) -> usize {
+    n * d + n * (1 + p) + n * d * (d + p + 2)
+}
+
+/// Kernel of an element whose slave row is handed in: scratch comes from `memory`.
+#[inline(always)]
+pub fn interpolated<
+    E: Element<D, P, H>,
+    R: Receiver,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
+    call: &Call<'_>,
+    nodes: &Nodes<'_>,
+    memory: &mut [f64],
+    receiver: &mut R,
+) -> Result<Summary, InputError> {
+    if let Some(history) = call.history {
+        check_history(history)?;
+    }
+    for (index, &value) in call.slave_row.iter().enumerate() {
+        if !is_usable(value) {
+            return Err(InputError::SlaveRow(index));
+        }
+    }
+    let n = nodes.count;
+    let mut rest = memory
+        .get_mut(..workspace(n, D, P))
+        .ok_or(InputError::Workspace)?;
+    for value in rest.iter_mut() {
+        *value = 0.0;
+    }
+    let mut take = |length: usize| -> &mut [f64] {
+        let (head, tail) = core::mem::take(&mut rest)
+            .split_at_mut_checked(length)
+            .unwrap_or((&mut [], &mut []));
+        rest = tail;
+        head
+    };
+    let (x, _) = take(n * D).as_chunks_mut::<D>();
+    let s = take(n);
+    let ds = core::array::from_fn(|_| take(n));
+    let u = core::array::from_fn(|_| take(n * D));
+    let g = core::array::from_fn(|_| take(n * D));
+    let (h, row) = (take(n * D), take(n * D));
+    let scale = gather::<E, D, P, H>(nodes, call.parameters, &[], x, &mut [])?;
+    let mut stage = Stage {
+        x,
+        reference: &[],
+        scale,
+        rows: Rows { s, ds },
+        temporaries: Temporaries { u, g, h, row },
+        variation: &mut [],
+    };
+    Ok(evaluate::<E, R, D, P, H, 1>(call, &mut stage, receiver)?)
+}
+
+/// Failure status of an input error, where it has one.
+impl InputError {
+    /// Status of the contact point, where one failed.
+    pub fn status(&self) -> Option<Status> {
+        match self {
+            InputError::Point(failure) => Some(failure.status),
+            _ => None,
+        }
+    }
+}

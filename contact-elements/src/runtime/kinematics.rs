@@ -1,0 +1,232 @@
+//! The one relative position vector r = Σ s_A x_A of every pair, with its derivatives. [eq:1-relative]
+//!
+//! Each function fills the rows s_A, s_A,i of the nodes it owns and gives r, b_i, r_,ij.
+//! x: positions relative to a local origin, slave nodes first.
+
+use super::shape::{Rigid, Shape};
+use super::values::{Measure, Rows, Vectors};
+
+/// Σ_slave s_A x_A: position of the slave's point; the master nodes are the last `masters`.
+#[inline(always)]
+pub fn slave_point<const D: usize>(x: &[[f64; D]], s: &[f64], masters: usize) -> [f64; D] {
+    let mut r = [0.0; D];
+    let slaves = x.len().saturating_sub(masters);
+    for (x, &s) in x.iter().zip(s.iter()).take(slaves) {
+        for k in 0..D {
+            r[k] += s * x[k];
+        }
+    }
+    r
+}
+
+/// Master is one node.
+#[inline(always)]
+pub fn onto_point<const D: usize>(x: &[[f64; D]], rows: &mut Rows<'_, 0>) -> Vectors<D, 0, 0> {
+    let mut vectors = Vectors::default();
+    vectors.r = slave_point(x, rows.s, 1);
+    if let (Some(x), Some(s)) = (x.last(), rows.s.last_mut()) {
+        *s = -1.0;
+        for k in 0..D {
+            vectors.r[k] -= x[k];
+        }
+    }
+    vectors
+}
+
+/// Master is a curve or surface of N nodes, r = x_slave − Σ N_A(ζ) x_A.
+#[inline(always)]
+pub fn onto_shape<
+    G: Shape<P, H, N>,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+    const N: usize,
+>(
+    x: &[[f64; D]],
+    zeta: &[f64; P],
+    weights: &[f64],
+    rows: &mut Rows<'_, P>,
+) -> Vectors<D, P, H> {
+    let mut vectors = Vectors::default();
+    vectors.r = slave_point(x, rows.s, N);
+    let shape = G::rows(zeta, weights);
+    let (Some(x), Some(s)) = (x.last_chunk::<N>(), rows.s.last_chunk_mut::<N>()) else {
+        return vectors;
+    };
+    subtract_position(&mut vectors.r, &shape.n, x);
+    for a in 0..N {
+        s[a] = -shape.n[a];
+    }
+    for i in 0..P {
+        subtract_position(&mut vectors.b[i], &shape.d1[i], x);
+        if let Some(ds) = rows.ds[i].last_chunk_mut::<N>() {
+            for a in 0..N {
+                ds[a] = -shape.d1[i][a];
+            }
+        }
+    }
+    for h in 0..H {
+        subtract_position(&mut vectors.second[h], &shape.d2[h], x);
+    }
+    vectors
+}
+
+/// v −= Σ N_A x_A
+#[inline(always)]
+fn subtract_position<const D: usize, const N: usize>(
+    v: &mut [f64; D],
+    row: &[f64; N],
+    x: &[[f64; D]; N],
+) {
+    for a in 0..N {
+        for k in 0..D {
+            v[k] -= row[a] * x[a][k];
+        }
+    }
+}
+
+/// v += Σ N_A x_A
+#[inline(always)]
+fn add_position<const D: usize, const N: usize>(
+    v: &mut [f64; D],
+    row: &[f64; N],
+    x: &[[f64; D]; N],
+) {
+    for a in 0..N {
+        for k in 0..D {
+            v[k] += row[a] * x[a][k];
+        }
+    }
+}
+
+/// Master is a rigid curve or surface, r = x_slave − ρ(ζ).
+#[inline(always)]
+pub fn onto_rigid<G: Rigid<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    x: &[[f64; D]],
+    zeta: &[f64; P],
+    parameters: &[f64],
+    rows: &mut Rows<'_, P>,
+) -> Vectors<D, P, H> {
+    let mut vectors = G::position(zeta, parameters);
+    let slave = slave_point(x, rows.s, 0);
+    for k in 0..D {
+        vectors.r[k] = slave[k] - vectors.r[k];
+        for b in &mut vectors.b {
+            b[k] = -b[k];
+        }
+        for second in &mut vectors.second {
+            second[k] = -second[k];
+        }
+    }
+    vectors
+}
+
+/// Both parameters are projected: r = Σ N_A(ξ_slave) x_A − Σ N_B(ξ_master) x_B, r_,12 = 0.
+#[inline(always)]
+pub fn curve_to_curve<
+    S: Shape<1, 1, NS>,
+    M: Shape<1, 1, NM>,
+    const D: usize,
+    const NS: usize,
+    const NM: usize,
+>(
+    x: &[[f64; D]],
+    zeta: &[f64; 2],
+    (slave_weights, master_weights): (&[f64], &[f64]),
+    rows: &mut Rows<'_, 2>,
+) -> Vectors<D, 2, 3> {
+    let mut vectors = Vectors::default();
+    let slave = S::rows(&[zeta[0]], slave_weights);
+    let master = M::rows(&[zeta[1]], master_weights);
+    let (Some(xs), Some(xm)) = (x.first_chunk::<NS>(), x.last_chunk::<NM>()) else {
+        return vectors;
+    };
+    add_position(&mut vectors.r, &slave.n, xs);
+    subtract_position(&mut vectors.r, &master.n, xm);
+    add_position(&mut vectors.b[0], &slave.d1[0], xs);
+    subtract_position(&mut vectors.b[1], &master.d1[0], xm);
+    add_position(&mut vectors.second[0], &slave.d2[0], xs);
+    subtract_position(&mut vectors.second[2], &master.d2[0], xm);
+    if let Some(s) = rows.s.first_chunk_mut::<NS>() {
+        *s = slave.n;
+    }
+    if let Some(ds) = rows.ds[0].first_chunk_mut::<NS>() {
+        *ds = slave.d1[0];
+    }
+    if let Some(s) = rows.s.last_chunk_mut::<NM>() {
+        for a in 0..NM {
+            s[a] = -master.n[a];
+        }
+    }
+    if let Some(ds) = rows.ds[1].last_chunk_mut::<NM>() {
+        for a in 0..NM {
+            ds[a] = -master.d1[0][a];
+        }
+    }
+    vectors
+}
+
+/// Both parameters are projected, the master curve is rigid.
+#[inline(always)]
+pub fn curve_to_rigid<S: Shape<1, 1, NS>, M: Rigid<D, 1, 1>, const D: usize, const NS: usize>(
+    x: &[[f64; D]],
+    zeta: &[f64; 2],
+    (slave_weights, parameters): (&[f64], &[f64]),
+    rows: &mut Rows<'_, 2>,
+) -> Vectors<D, 2, 3> {
+    let mut vectors = Vectors::default();
+    let slave = S::rows(&[zeta[0]], slave_weights);
+    let master = M::position(&[zeta[1]], parameters);
+    let Some(xs) = x.first_chunk::<NS>() else {
+        return vectors;
+    };
+    add_position(&mut vectors.r, &slave.n, xs);
+    add_position(&mut vectors.b[0], &slave.d1[0], xs);
+    add_position(&mut vectors.second[0], &slave.d2[0], xs);
+    for k in 0..D {
+        vectors.r[k] -= master.r[k];
+        vectors.b[1][k] = -master.b[0][k];
+        vectors.second[2][k] = -master.second[0][k];
+    }
+    if let (Some(s), Some(ds)) = (
+        rows.s.first_chunk_mut::<NS>(),
+        rows.ds[0].first_chunk_mut::<NS>(),
+    ) {
+        *s = slave.n;
+        *ds = slave.d1[0];
+    }
+    vectors
+}
+
+/// t_i = Σ N_A,i x_A: tangents of the slave at an integration point.
+#[inline(always)]
+pub fn slave_tangents<const D: usize, const P: usize, const N: usize>(
+    slopes: &[[f64; N]; P],
+    x: &[[f64; D]],
+) -> [[f64; D]; P] {
+    let mut t = [[0.0; D]; P];
+    if let Some(x) = x.first_chunk::<N>() {
+        for i in 0..P {
+            add_position(&mut t[i], &slopes[i], x);
+        }
+    }
+    t
+}
+
+/// Σ_i N_A,i w ∂J/∂t_i per unknown of the slave. [eq:measure]
+#[inline(always)]
+pub fn spread_variation<const D: usize, const P: usize, const N: usize>(
+    slopes: &[[f64; N]; P],
+    measure: &Measure<D>,
+    variation: &mut [f64],
+) {
+    let (blocks, _) = variation.as_chunks_mut::<D>();
+    for (a, block) in blocks.iter_mut().take(N).enumerate() {
+        for k in 0..D {
+            block[k] = 0.0;
+            for i in 0..P {
+                block[k] += slopes[i][a] * measure.variation[i][k];
+            }
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! What a declaration becomes: traits that the macro implements.
+
+use super::values::ShapeRows;
+
+/// Parameter domain of a geometry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Domain {
+    /// No bounds.
+    Unbounded,
+    /// lower ≤ ξ ≤ upper.
+    Interval(f64, f64),
+    /// lower_i ≤ ξ^i ≤ upper_i.
+    Rectangle([f64; 2], [f64; 2]),
+    /// ξ, η ≥ 0, ξ + η ≤ 1.
+    Triangle,
+}
+
+impl Domain {
+    /// Start of the projection where the host gives none.
+    #[inline(always)]
+    pub const fn centre(&self) -> [f64; 2] {
+        match *self {
+            Domain::Unbounded => [0.0, 0.0],
+            Domain::Interval(lower, upper) => [middle(lower, upper), 0.0],
+            Domain::Rectangle(lower, upper) => {
+                [middle(lower[0], upper[0]), middle(lower[1], upper[1])]
+            }
+            Domain::Triangle => [1.0 / 3.0, 1.0 / 3.0],
+        }
+    }
+
+    /// Extent by which steps in parameter i are measured; 1 where there is no end.
+    #[inline(always)]
+    pub const fn extent(&self, i: usize) -> f64 {
+        let extent = match *self {
+            Domain::Interval(lower, upper) => upper - lower,
+            Domain::Rectangle(lower, upper) => upper[i] - lower[i],
+            Domain::Unbounded | Domain::Triangle => 1.0,
+        };
+        if extent < f64::MAX { extent } else { 1.0 }
+    }
+
+    /// 0 inside; 1 + edge (0 … 3) or 5 + vertex (0 … 3) outside. A point within `slack` of the
+    /// boundary counts as inside.
+    #[inline(always)]
+    pub fn feature(&self, zeta: [f64; 2], slack: f64) -> u8 {
+        match *self {
+            Domain::Unbounded => 0,
+            Domain::Interval(lower, upper) => {
+                let slack = slack * (upper - lower);
+                if zeta[0] < lower - slack {
+                    5
+                } else if zeta[0] > upper + slack {
+                    6
+                } else {
+                    0
+                }
+            }
+            Domain::Rectangle(lower, upper) => {
+                let side = |i: usize| {
+                    let slack = slack * (upper[i] - lower[i]);
+                    if zeta[i] < lower[i] - slack {
+                        1
+                    } else if zeta[i] > upper[i] + slack {
+                        2
+                    } else {
+                        0
+                    }
+                };
+                // edges: 0 η low, 1 ξ high, 2 η high, 3 ξ low; vertices counter-clockwise from (low, low)
+                const FEATURE: [[u8; 3]; 3] = [[0, 1, 3], [4, 5, 8], [2, 6, 7]];
+                FEATURE[side(0)][side(1)]
+            }
+            Domain::Triangle => triangle_feature(zeta, slack),
+        }
+    }
+}
+
+/// Middle of an interval; the finite end, or 0, where an end is missing.
+const fn middle(lower: f64, upper: f64) -> f64 {
+    match (lower > -f64::MAX, upper < f64::MAX) {
+        (true, true) => 0.5 * (lower + upper),
+        (true, false) => lower,
+        (false, true) => upper,
+        (false, false) => 0.0,
+    }
+}
+
+/// Edges: 0 η = 0, 1 ξ + η = 1, 2 ξ = 0; vertices (0,0), (1,0), (0,1).
+#[inline(always)]
+fn triangle_feature(zeta: [f64; 2], slack: f64) -> u8 {
+    let low = zeta[1] < -slack;
+    let left = zeta[0] < -slack;
+    let beyond = zeta[0] + zeta[1] > 1.0 + slack;
+    match (low, left, beyond) {
+        (false, false, false) => 0,
+        (true, false, false) => 1,
+        (false, false, true) => 2,
+        (false, true, false) => 3,
+        (true, true, _) => 5,
+        (true, false, true) => 6,
+        (false, true, true) => 7,
+    }
+}
+
+/// Curve (P = 1) or surface (P = 2) by N shape functions.
+pub trait Shape<const P: usize, const H: usize, const N: usize> {
+    /// Parameter domain.
+    const DOMAIN: Domain;
+    /// True where all second derivatives vanish: the projection is one linear solve.
+    const AFFINE: bool;
+    /// Number of weights of a rational geometry, else 0.
+    const WEIGHTS: usize;
+    /// Controls that are tangent vectors, not positions.
+    const VECTORS: [bool; N];
+    /// N_A, N_A,i, N_A,ij.
+    fn rows(zeta: &[f64; P], weights: &[f64]) -> ShapeRows<P, H, N>;
+}
+
+/// Rigid curve or surface ρ(ζ; parameters).
+pub trait Rigid<const D: usize, const P: usize, const H: usize> {
+    /// Parameter domain.
+    const DOMAIN: Domain;
+    /// True where all second derivatives vanish.
+    const AFFINE: bool;
+    /// ρ, ρ_i, ρ_ij as the `r`, `b`, `second` of a position.
+    fn position(zeta: &[f64; P], parameters: &[f64]) -> super::Vectors<D, P, H>;
+    /// Closed projection of the point x, where declared.
+    fn projection(x: &[f64; D], parameters: &[f64]) -> Option<[f64; P]>;
+}
+
+/// Rigid distance function d(x; parameters) of D coordinates. Its programs belong to the element.
+pub trait Distance<const D: usize> {}
+
+/// N, N' and W of a normal law at one gap.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Traction {
+    /// N = W', negative in contact.
+    pub traction: f64,
+    /// N'
+    pub slope: f64,
+    /// W; 0 where the law declares none.
+    pub energy: f64,
+}
+
+/// Normal law N(g; parameters). [eq:law]
+pub trait NormalLaw {
+    /// Number of parameters.
+    const PARAMETERS: usize;
+    /// True where the law declares its energy.
+    const ENERGY: bool;
+    /// Positive where the law acts.
+    fn active(gap: f64, parameters: &[f64]) -> f64;
+    /// Positive where the law is defined.
+    fn valid(gap: f64, parameters: &[f64]) -> f64;
+    /// N, N', W.
+    fn evaluate(gap: f64, parameters: &[f64]) -> Traction;
+}

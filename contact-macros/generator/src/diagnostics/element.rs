@@ -1,0 +1,217 @@
+//! Messages about elements.
+
+use super::{Diagnostic, list, suggest::nearest};
+
+/// A word that an entry does not know.
+pub fn unknown_choice(entry: &str, found: &str, choices: &[&str]) -> Diagnostic {
+    let hint = match nearest(found, choices.iter().copied()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("write {}", list(choices, "or")),
+    };
+    Diagnostic::new(format!("`{found}` is not a choice for `{entry}`"), hint)
+}
+
+/// A dimension other than two or three.
+pub fn wrong_dimension() -> Diagnostic {
+    Diagnostic::new(
+        "`dimension` must be 2 or 3",
+        "write `dimension: 2;`, or leave it out for 3D",
+    )
+}
+
+/// A number where a name is meant.
+pub fn number_for_name(entry: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{entry}` must be a name"),
+        format!("write `{entry}: Name;`"),
+    )
+}
+
+/// `at` on something other than a slave.
+pub fn rule_not_here(entry: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{entry}` takes no `at`"),
+        "integration points belong to the slave: `slave: Quad4 at gauss(2, 2);`",
+    )
+}
+
+/// `at` on a slave that is one point already.
+pub fn rule_of_point(slave: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("a slave that is `{slave}` takes no `at`"),
+        "remove it, or name the curve or surface to integrate over",
+    )
+}
+
+/// `placed` on something other than a rigid master.
+pub fn placed_not_here(name: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{name}` cannot be `placed`"),
+        "only rigid masters are: a deformable geometry is where its nodes are",
+    )
+}
+
+/// `interpolated` as a master.
+pub fn interpolated_master() -> Diagnostic {
+    Diagnostic::new(
+        "a master cannot be `interpolated`",
+        "name a curve, a surface or a distance function, or write `point`",
+    )
+}
+
+/// A law where a geometry is meant.
+pub fn law_as_geometry(name: &str, entry: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{name}` is a normal law, but `{entry}` must be a geometry"),
+        format!("write `normal: {name};` and name a geometry here"),
+    )
+}
+
+/// A geometry where a law is meant.
+pub fn geometry_as_law(name: &str, kind: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{name}` is a {kind}, but `normal` must be a normal law"),
+        "name a law, such as `Penalty`",
+    )
+}
+
+/// A rigid slave.
+pub fn rigid_slave(name: &str, kind: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{name}` is a {kind} and cannot be the slave"),
+        format!("make it the master: `slave: interpolated; master: {name};`"),
+    )
+}
+
+/// A surface as slave without integration points.
+pub fn surface_slave_without_rule(name: &str, rule: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("the slave surface `{name}` needs integration points"),
+        format!("write `slave: {name} at {rule};`"),
+    )
+}
+
+/// A rule that the language does not have.
+pub fn unknown_rule(found: &str) -> Diagnostic {
+    let hint = match nearest(found, ["gauss", "given"]) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "write `at gauss(n)`, `at gauss(n, m)` or `at given`".to_string(),
+    };
+    Diagnostic::new(format!("unknown integration rule `{found}`"), hint)
+}
+
+/// `given` with points, or `gauss` without.
+pub fn wrong_rule_form(found: &str) -> Diagnostic {
+    let hint = match found {
+        "given" => "write `at given`: the point and its weight come at run time",
+        _ => "write `at gauss(n)` for curves and triangles, `at gauss(n, m)` for quadrilaterals",
+    };
+    Diagnostic::new(format!("`{found}` has the wrong arguments"), hint)
+}
+
+/// A rule that does not fit the domain of the slave.
+pub fn rule_does_not_fit(name: &str, domain: &str, directions: usize, example: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!(
+            "`{name}` is {domain}: its rule has {directions} number{}",
+            if directions == 1 { "" } else { "s" }
+        ),
+        format!("write `{name} at {example}`"),
+    )
+}
+
+/// A number of integration points that no rule has.
+pub fn unsupported_points(found: &str, supported: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("there is no rule with {found} points"),
+        format!("there are rules with {supported}"),
+    )
+}
+
+/// A geometry of the wrong dimension.
+pub fn dimension_mismatch(name: &str, found: usize, needed: usize) -> Diagnostic {
+    let hint = match found {
+        2 => "write `dimension: 2;`, or take a geometry in 3D",
+        _ => "remove `dimension: 2;`, or take a geometry in 2D",
+    };
+    Diagnostic::new(
+        format!("`{name}` lies in {found}D, but the element is in {needed}D"),
+        hint,
+    )
+}
+
+/// A surface in 2D.
+pub fn surface_in_two_dimensions(name: &str, entry: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{name}` is a surface, but the element is in 2D"),
+        format!("name a curve as `{entry}`, or remove `dimension: 2;`"),
+    )
+}
+
+/// A projected slave curve in 2D.
+pub fn projected_slave_in_two_dimensions(name: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("in 2D the slave curve `{name}` needs integration points"),
+        format!("write `slave: {name} at gauss(2);`"),
+    )
+}
+
+/// A projected slave curve against something that is not a curve.
+pub fn projected_slave_without_curve(slave: &str, master: &str, is_point: bool) -> Diagnostic {
+    let hint = match is_point {
+        true => format!("make the curve the master: `slave: point; master: {slave};`"),
+        false => format!("write `slave: {slave} at gauss(2);` to integrate over the slave curve"),
+    };
+    Diagnostic::new(
+        format!("a slave curve can be projected onto a curve only, but `{master}` is none"),
+        hint,
+    )
+}
+
+/// Curve to curve without a choice of the gap.
+pub fn gap_missing() -> Diagnostic {
+    Diagnostic::new(
+        "curve to curve needs an entry `gap`",
+        "add `gap: distance;` for beams (no sign, radii in r0) or `gap: signed;` for edges",
+    )
+}
+
+/// A gap that this pair does not have.
+pub fn gap_not_possible(found: &str, possible: &str, reason: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("the gap of this pair cannot be `{found}`: {reason}"),
+        format!("write `gap: {possible};` or leave it out"),
+    )
+}
+
+/// A current measure without integration points of its own.
+pub fn measure_without_rule() -> Diagnostic {
+    Diagnostic::new(
+        "`measure: current` needs a slave with its own integration points",
+        "write `slave: NAME at gauss(..);`, or remove `measure`",
+    )
+}
+
+/// A linearisation of a tangent that is not wanted.
+pub fn tangent_plane_of_residual() -> Diagnostic {
+    Diagnostic::new(
+        "`linearisation: tangent_plane` contradicts `outputs: residual`",
+        "remove one of the two: the linearisation only changes the tangent",
+    )
+}
+
+/// A tangent plane where nothing is projected.
+pub fn tangent_plane_without_projection(master: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`linearisation: tangent_plane` needs a projection, but `{master}` has none"),
+        "remove it: the exact tangent is as short",
+    )
+}
+
+/// A law and a geometry with a parameter of the same name.
+pub fn parameter_of_both(name: &str, law: &str, geometry: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("both `{law}` and `{geometry}` have a parameter `{name}`"),
+        "rename it in one of the two declarations: an element lists its parameters by name",
+    )
+}

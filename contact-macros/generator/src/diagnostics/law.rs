@@ -1,0 +1,35 @@
+//! Messages about normal laws.
+
+use super::Diagnostic;
+
+/// A law of more or less than one gap.
+pub fn wrong_gap_count(found: usize) -> Diagnostic {
+    Diagnostic::new(
+        format!("a normal law depends on one gap, found {found} names before `;`"),
+        "write `normal law Name(g; parameter: \"unit\")`: parameters come after `;`",
+    )
+}
+
+/// A condition that is not a comparison of the gap.
+pub fn not_a_condition(entry: &str, gap: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{entry}` must compare the gap with a value"),
+        format!("write `{entry} = {gap} < ..;` or `{entry} = {gap} > ..;`"),
+    )
+}
+
+/// A comparison whose left side is not the gap.
+pub fn gap_not_on_the_left(gap: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("the left side of a condition is the gap `{gap}`"),
+        format!("write `{gap} < ..` or `{gap} > ..`"),
+    )
+}
+
+/// A law whose energy does not belong to its traction.
+pub fn energy_mismatch(point: &str, slope: &str, traction: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`N` is not the derivative of `W`: at {point}, dW/dg = {slope} but N = {traction}"),
+        "check signs and factors, or leave `W` out: it is used for reporting only",
+    )
+}

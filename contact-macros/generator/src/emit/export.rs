@@ -1,0 +1,279 @@
+//! The C symbols of a library of elements: the interface under a prefix, one symbol per element.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+/// `PointQuad4` → `point_quad4`: the C name of an element behind its prefix.
+pub fn symbol_name(element: &str) -> String {
+    let mut name = String::new();
+    for (position, letter) in element.chars().enumerate() {
+        if letter.is_uppercase() && position > 0 {
+            name.push('_');
+        }
+        name.extend(letter.to_lowercase());
+    }
+    name
+}
+
+/// The exported functions of the elements in the static `ELEMENTS` of the same module.
+pub fn emit_export(prefix: &Ident, elements: &[Ident]) -> TokenStream {
+    let functions = interface(prefix);
+    let fortran = fortran(prefix);
+    let symbols = elements.iter().map(|element| {
+        let name = format_ident!("{}_{}", prefix, symbol_name(&element.to_string()));
+        let docs = format!(" Evaluates one `{element}`.");
+        quote! {
+            #[doc = #docs]
+            ///
+            /// # Safety
+            /// As `cte_element_evaluate` in the C header.
+            #[unsafe(no_mangle)]
+            pub unsafe extern "C" fn #name(arguments: *mut abi::Arguments) -> i32 {
+                // SAFETY: the caller keeps the promises of the C header.
+                unsafe { abi::element_evaluate(#element::DESCRIPTOR, arguments) }
+            }
+        }
+    });
+    quote! {
+        #[allow(clippy::missing_safety_doc)]
+        mod _exported {
+            use super::*;
+            #[allow(unused_imports)]
+            use ::contact_elements::abi;
+            #functions
+            #fortran
+            #(#symbols)*
+        }
+    }
+}
+
+/// One exported function: name behind the prefix, arguments, result, call.
+fn exported(
+    prefix: &Ident,
+    name: &str,
+    arguments: TokenStream,
+    result: TokenStream,
+    call: TokenStream,
+) -> TokenStream {
+    let symbol = format_ident!("{}_{}", prefix, name);
+    let docs = format!(" `cte_{name}` of the C header for this library.");
+    quote! {
+        #[doc = #docs]
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn #symbol(#arguments) -> #result {
+            // SAFETY: the caller keeps the promises of the C header.
+            #[allow(unused_unsafe)]
+            unsafe { #call }
+        }
+    }
+}
+
+fn interface(prefix: &Ident) -> TokenStream {
+    let f = |name: &str, arguments: TokenStream, result: TokenStream, call: TokenStream| {
+        exported(prefix, name, arguments, result, call)
+    };
+    let table = table(prefix);
+    let list = [
+        f("abi_version", quote!(), quote!(u32), quote!(abi::VERSION)),
+        f(
+            "element_count",
+            quote!(),
+            quote!(i32),
+            quote!(abi::element_count(&ELEMENTS)),
+        ),
+        f(
+            "element_get",
+            quote!(index: i32),
+            quote!(*const abi::Descriptor),
+            quote!(abi::element_get(&ELEMENTS, index)),
+        ),
+        f(
+            "element_find",
+            quote!(name: *const u8, length: i32, index: *mut i32),
+            quote!(i32),
+            quote!(abi::element_find(&ELEMENTS, name, length, index)),
+        ),
+        f(
+            "element_info",
+            quote!(element: *const abi::Descriptor, nnode: i32, info: *mut abi::Info),
+            quote!(i32),
+            quote!(abi::element_info(element, nnode, info)),
+        ),
+        f(
+            "element_unknown",
+            quote!(element: *const abi::Descriptor, nnode: i32, index: i32, node: *mut i32, kind: *mut i32),
+            quote!(i32),
+            quote!(abi::element_unknown(element, nnode, index, node, kind)),
+        ),
+        f(
+            "element_parameter",
+            quote!(element: *const abi::Descriptor, index: i32, name: *mut *const u8,
+                unit: *mut *const u8, lower: *mut f64, upper: *mut f64, closed: *mut i32),
+            quote!(i32),
+            quote!(abi::element_parameter(
+                element, index, name, unit, lower, upper, closed
+            )),
+        ),
+        f(
+            "element_check_parameters",
+            quote!(element: *const abi::Descriptor, parameters: *const f64, count: i32, index: *mut i32),
+            quote!(i32),
+            quote!(abi::element_check_parameters(
+                element, parameters, count, index
+            )),
+        ),
+        f(
+            "element_history_init",
+            quote!(element: *const abi::Descriptor, history: *mut f64),
+            quote!(i32),
+            quote!(abi::element_history_init(element, history)),
+        ),
+        f(
+            "element_evaluate",
+            quote!(element: *const abi::Descriptor, arguments: *mut abi::Arguments),
+            quote!(i32),
+            quote!(abi::element_evaluate(element, arguments)),
+        ),
+        f(
+            "element_batch_workspace",
+            quote!(element: *const abi::Descriptor, nslave: i32),
+            quote!(i64),
+            quote!(abi::element_batch_workspace(element, nslave)),
+        ),
+        f(
+            "element_evaluate_batch",
+            quote!(element: *const abi::Descriptor, n: i64, batch: *mut abi::Batch),
+            quote!(i32),
+            quote!(abi::element_evaluate_batch(element, n, batch)),
+        ),
+        f(
+            "csr_map",
+            quote!(element: *const abi::Descriptor, n: i64, nslave: i32, connectivity: *const i32,
+                rows: i64, row_start: *const i64, column: *const i32, map: *mut i64),
+            quote!(i32),
+            quote!(abi::csr_map(
+                element,
+                n,
+                nslave,
+                connectivity,
+                rows,
+                row_start,
+                column,
+                map
+            )),
+        ),
+        f(
+            "code_message",
+            quote!(code: i32),
+            quote!(*const u8),
+            quote!(abi::code_message(code)),
+        ),
+        f(
+            "status_message",
+            quote!(status: i32),
+            quote!(*const u8),
+            quote!(abi::status_message(status)),
+        ),
+        f(
+            "argument_name",
+            quote!(argument: i32),
+            quote!(*const u8),
+            quote!(abi::argument_name(argument)),
+        ),
+        f(
+            "element_message",
+            quote!(element: *const abi::Descriptor, arguments: *const abi::Arguments, code: i32,
+                text: *mut u8, size: i32),
+            quote!(i32),
+            quote!(abi::element_message(element, arguments, code, text, size)),
+        ),
+        f(
+            "api",
+            quote!(major: u32, table: *mut abi::ApiTable),
+            quote!(i32),
+            quote!(abi::api(major, table, #table)),
+        ),
+    ];
+    list.into_iter().collect()
+}
+
+/// The function table of this library.
+fn table(prefix: &Ident) -> TokenStream {
+    let entry = |name: &str| format_ident!("{}_{}", prefix, name);
+    let fields = [
+        "element_count",
+        "element_get",
+        "element_find",
+        "element_info",
+        "element_unknown",
+        "element_parameter",
+        "element_check_parameters",
+        "element_history_init",
+        "element_evaluate",
+        "element_batch_workspace",
+        "element_evaluate_batch",
+        "csr_map",
+        "code_message",
+        "status_message",
+        "argument_name",
+        "element_message",
+    ];
+    let names = fields.iter().map(|name| format_ident!("{name}"));
+    let values = fields.iter().map(|name| entry(name));
+    quote! {
+        abi::ApiTable {
+            struct_size: ::core::mem::size_of::<abi::ApiTable>() as u32,
+            version: abi::VERSION,
+            #(#names: #values),*
+        }
+    }
+}
+
+/// Fortran 77 symbols: one trailing underscore, everything by address.
+fn fortran(prefix: &Ident) -> TokenStream {
+    let evaluate = format_ident!("{}_f77_evaluate_", prefix);
+    let info = format_ident!("{}_f77_info_", prefix);
+    let history = format_ident!("{}_f77_history_init_", prefix);
+    quote! {
+        /// `CTE_F77_EVALUATE` of the C header for this library.
+        #[unsafe(no_mangle)]
+        #[allow(clippy::too_many_arguments)]
+        pub unsafe extern "C" fn #evaluate(
+            element: *const i32, request: *const i32, nnode: *const i32, nslave: *const i32,
+            x: *const f64, u: *const f64, parameters: *const f64, parameter_count: *const i32,
+            hist_old: *const f64, hist_new: *mut f64, slave_row: *const f64, f: *mut f64,
+            k: *mut f64, ldk: *const i32, output: *mut f64, energy: *mut f64, status: *mut i32,
+            code: *mut i32,
+        ) {
+            // SAFETY: the caller keeps the promises of the C header.
+            unsafe {
+                abi::fortran::evaluate(
+                    &ELEMENTS, (element, request, nnode, nslave), (x, u),
+                    (parameters, parameter_count), (hist_old, hist_new), slave_row, (f, k, ldk),
+                    (output, energy), (status, code),
+                )
+            }
+        }
+        /// `CTE_F77_INFO` of the C header for this library.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn #info(element: *const i32, nnode: *const i32, sizes: *mut i32) {
+            // SAFETY: the caller keeps the promises of the C header.
+            unsafe { abi::fortran::info(&ELEMENTS, element, nnode, sizes) }
+        }
+        /// `CTE_F77_HISTORY_INIT` of the C header for this library.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn #history(element: *const i32, values: *mut f64, code: *mut i32) {
+            // SAFETY: the caller keeps the promises of the C header.
+            unsafe { abi::fortran::history_init(&ELEMENTS, element, values, code) }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn symbols_are_snake_case() {
+        assert_eq!(super::symbol_name("PointQuad4"), "point_quad4");
+        assert_eq!(super::symbol_name("Line2Line2Beams"), "line2_line2_beams");
+    }
+}

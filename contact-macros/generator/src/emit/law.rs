@@ -1,0 +1,104 @@
+//! Normal laws as types.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::{imports, program::Emitted};
+use crate::linearise::law::{bound_program, law_program};
+use crate::model::Law;
+
+/// The type of a law, its trait implementation and its tables.
+pub fn emit_law(law: &Law) -> TokenStream {
+    let name = &law.name;
+    let docs = &law.docs;
+    let module = format_ident!("_law_{}", name.to_string().to_lowercase());
+    let evaluate = Emitted::new(&law_program(law), "");
+    let active = Emitted::new(&bound_program(law, "active", &law.active), "");
+    let valid = law
+        .valid
+        .as_ref()
+        .map(|bound| Emitted::new(&bound_program(law, "valid", bound), ""));
+    let functions: TokenStream = [Some(&evaluate), Some(&active), valid.as_ref()]
+        .into_iter()
+        .flatten()
+        .map(Emitted::whole_function)
+        .collect();
+    let tables = (evaluate.table(), active.table());
+    let (evaluate_table, active_table) = tables;
+    let valid_table = match &valid {
+        Some(valid) => {
+            let table = valid.table();
+            quote! { Some(#table) }
+        }
+        None => quote! { None },
+    };
+    let methods = methods(law, valid.is_some());
+    let text = name.to_string();
+    let imports = imports();
+    quote! {
+        #[doc = #docs]
+        #[derive(Clone, Copy, Debug)]
+        pub struct #name;
+
+        #[allow(non_snake_case)]
+        mod #module {
+            use super::#name;
+            #imports
+            #functions
+            #methods
+            impl #name {
+                /// The programs of this law, for verification.
+                pub const PROGRAMS: LawPrograms = LawPrograms {
+                    name: #text,
+                    law: #evaluate_table,
+                    active: #active_table,
+                    valid: #valid_table,
+                };
+            }
+        }
+    }
+}
+
+fn methods(law: &Law, has_valid: bool) -> TokenStream {
+    let name = &law.name;
+    let count = law.parameters.len();
+    let inputs: Vec<TokenStream> = (0..count).map(|k| quote! { parameters[#k] }).collect();
+    let has_energy = law.energy.is_some();
+    let (pattern, energy) = if has_energy {
+        (quote! { [traction, slope, energy] }, quote! { energy })
+    } else {
+        (quote! { [traction, slope] }, quote! { 0.0 })
+    };
+    let valid = if has_valid {
+        quote! {
+            let Some(parameters) = parameters.first_chunk::<#count>() else { return -1.0 };
+            valid(&[gap, #(#inputs),*])[0]
+        }
+    } else {
+        quote! { let _ = (gap, parameters); 1.0 }
+    };
+    quote! {
+        #[allow(unused_variables)]
+        impl runtime::NormalLaw for #name {
+            const PARAMETERS: usize = #count;
+            const ENERGY: bool = #has_energy;
+            #[inline(always)]
+            fn active(gap: f64, parameters: &[f64]) -> f64 {
+                let Some(parameters) = parameters.first_chunk::<#count>() else { return -1.0 };
+                active(&[gap, #(#inputs),*])[0]
+            }
+            #[inline(always)]
+            fn valid(gap: f64, parameters: &[f64]) -> f64 {
+                #valid
+            }
+            #[inline(always)]
+            fn evaluate(gap: f64, parameters: &[f64]) -> runtime::Traction {
+                let Some(parameters) = parameters.first_chunk::<#count>() else {
+                    return runtime::Traction::default();
+                };
+                let #pattern = law(&[gap, #(#inputs),*]);
+                runtime::Traction { traction, slope, energy: #energy }
+            }
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! From programs to Rust: types, trait implementations, descriptors, tables, C symbols.
+
+mod element;
+mod export;
+mod geometry;
+mod law;
+mod parameters;
+mod program;
+mod rule;
+
+pub use element::emit_element;
+pub use export::{emit_export, symbol_name};
+pub use geometry::emit_geometry;
+pub use law::emit_law;
+pub use program::MOST_OPERATIONS;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::model::Domain;
+
+/// What every emitted item refers to.
+fn imports() -> TokenStream {
+    quote! {
+        #[allow(unused_imports)]
+        use ::contact_elements::program::{
+            ElementDescription, ElementPrograms, GeometryPrograms, LawPrograms, MasterDescription,
+            Operation, Program, SlaveDescription, Term,
+        };
+        #[allow(unused_imports)]
+        use ::contact_elements::runtime;
+    }
+}
+
+/// A parameter domain as an expression.
+fn domain(domain: &Domain) -> TokenStream {
+    match domain {
+        Domain::Unbounded => quote! { runtime::Domain::Unbounded },
+        Domain::Interval(lower, upper) => {
+            let (lower, upper) = (number(*lower), number(*upper));
+            quote! { runtime::Domain::Interval(#lower, #upper) }
+        }
+        Domain::Rectangle(lower, upper) => {
+            let lower = lower.iter().map(|&v| number(v));
+            let upper = upper.iter().map(|&v| number(v));
+            quote! { runtime::Domain::Rectangle([#(#lower),*], [#(#upper),*]) }
+        }
+        Domain::Triangle => quote! { runtime::Domain::Triangle },
+    }
+}
+
+/// A number as an expression, infinities included.
+fn number(value: f64) -> TokenStream {
+    if value == f64::INFINITY {
+        quote! { f64::INFINITY }
+    } else if value == f64::NEG_INFINITY {
+        quote! { f64::NEG_INFINITY }
+    } else {
+        quote! { #value }
+    }
+}

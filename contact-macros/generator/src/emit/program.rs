@@ -1,0 +1,229 @@
+//! A program as a Rust function of straight-line code, and as a constant table.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::ir::{Binary, Node, NodeId, Program, Unary};
+use crate::optimise::optimise;
+
+/// Operations above which a declaration is refused: such code outgrows the instruction cache.
+pub const MOST_OPERATIONS: usize = 10_000;
+
+/// An optimised program with the name of its emitted function.
+pub struct Emitted {
+    /// The program after all passes.
+    pub program: Program,
+    /// Name of the function.
+    pub function: Ident,
+}
+
+impl Emitted {
+    /// Optimises `program`; its function will be called `prefix_name`.
+    pub fn new(program: &Program, prefix: &str) -> Self {
+        let program = optimise(program);
+        let function = if prefix.is_empty() {
+            format_ident!("{}", program.name)
+        } else {
+            format_ident!("{}_{}", prefix, program.name)
+        };
+        Self { program, function }
+    }
+
+    /// The function: `fn name(i: &[f64; n]) -> [f64; m]`.
+    pub fn function(&self, indices: &[usize]) -> TokenStream {
+        let name = &self.function;
+        let inputs = self.program.inputs.len();
+        let outputs = indices.len();
+        let comment = format!(
+            " {} operations, {} inputs, {} outputs.",
+            self.program.operations(),
+            inputs,
+            outputs
+        );
+        let body = self.statements();
+        let results = indices
+            .iter()
+            .map(|&index| operand(&self.program, self.program.outputs[index].1));
+        quote! {
+            #[doc = #comment]
+            #[inline(always)]
+            #[allow(clippy::all, unused_variables)]
+            fn #name(i: &[f64; #inputs]) -> [f64; #outputs] {
+                #body
+                [#(#results),*]
+            }
+        }
+    }
+
+    /// The function with all outputs.
+    pub fn whole_function(&self) -> TokenStream {
+        let all: Vec<usize> = (0..self.program.outputs.len()).collect();
+        self.function(&all)
+    }
+
+    fn statements(&self) -> TokenStream {
+        let needed = self.program.needed();
+        let graph = &self.program.graph;
+        let lines = graph
+            .nodes()
+            .iter()
+            .enumerate()
+            .filter_map(|(index, &node)| {
+                if !needed[index] || !node.is_operation() {
+                    return None;
+                }
+                let name = variable(index);
+                let value = operation(&self.program, node);
+                Some(quote! { let #name = #value; })
+            });
+        quote! { #(#lines)* }
+    }
+
+    /// The constant table `Program { … }`; `whole` names a function with all outputs.
+    pub fn table(&self) -> TokenStream {
+        let program = &self.program;
+        let name = &program.name;
+        let inputs = &program.inputs;
+        let operations = program.graph.nodes().iter().map(|&node| table_entry(node));
+        let outputs = program.outputs.iter().map(|(name, id)| {
+            let position = position(*id);
+            quote! { (#name, #position) }
+        });
+        let terms = program.terms.iter().map(|term| {
+            let (tag, present, reason) = (term.tag, term.present, &term.reason);
+            quote! { Term { tag: #tag, present: #present, reason: #reason } }
+        });
+        let cost = program.operations();
+        let function = &self.function;
+        quote! {
+            Program {
+                name: #name,
+                inputs: &[#(#inputs),*],
+                operations: &[#(#operations),*],
+                outputs: &[#(#outputs),*],
+                terms: &[#(#terms),*],
+                cost: #cost,
+                compiled: |inputs, outputs| {
+                    if let Some(inputs) = inputs.first_chunk() {
+                        for (to, from) in outputs.iter_mut().zip(#function(inputs)) {
+                            *to = from;
+                        }
+                    }
+                },
+            }
+        }
+    }
+}
+
+fn position(id: NodeId) -> u16 {
+    u16::try_from(id.0).expect("MOST_OPERATIONS keeps programs below 65536 nodes")
+}
+
+fn variable(index: usize) -> Ident {
+    Ident::new(&format!("t{index}"), Span::call_site())
+}
+
+fn operand(program: &Program, id: NodeId) -> TokenStream {
+    match program.graph.node(id) {
+        Node::Constant(bits) => literal(f64::from_bits(bits)),
+        Node::Input(index) => {
+            let index = index as usize;
+            quote! { i[#index] }
+        }
+        Node::Term(inner, _) => operand(program, inner),
+        _ => {
+            let name = variable(id.0 as usize);
+            quote! { #name }
+        }
+    }
+}
+
+fn literal(value: f64) -> TokenStream {
+    let magnitude = proc_macro2::Literal::f64_suffixed(value.abs());
+    if value < 0.0 {
+        quote! { (-#magnitude) }
+    } else {
+        quote! { #magnitude }
+    }
+}
+
+fn operation(program: &Program, node: Node) -> TokenStream {
+    let of = |id: NodeId| operand(program, id);
+    match node {
+        Node::Negate(a) => {
+            let a = of(a);
+            quote! { -#a }
+        }
+        Node::Add(a, b) => infix(of(a), quote!(+), of(b)),
+        Node::Subtract(a, b) => infix(of(a), quote!(-), of(b)),
+        Node::Multiply(a, b) => infix(of(a), quote!(*), of(b)),
+        Node::Divide(a, b) => infix(of(a), quote!(/), of(b)),
+        Node::Unary(function, a) => {
+            let (name, a) = (Ident::new(unary_name(function), Span::call_site()), of(a));
+            quote! { ::contact_elements::arithmetic::#name(#a) }
+        }
+        Node::Binary(function, a, b) => {
+            let (a, b) = (of(a), of(b));
+            match function {
+                Binary::Pow => quote! { ::contact_elements::arithmetic::pow(#a, #b) },
+                Binary::Atan2 => quote! { ::contact_elements::arithmetic::atan2(#a, #b) },
+            }
+        }
+        Node::Constant(_) | Node::Input(_) | Node::Term(..) => {
+            unreachable!("not an operation")
+        }
+    }
+}
+
+fn infix(a: TokenStream, operator: TokenStream, b: TokenStream) -> TokenStream {
+    quote! { #a #operator #b }
+}
+
+fn unary_name(function: Unary) -> &'static str {
+    match function {
+        Unary::Sqrt => "sqrt",
+        Unary::Sin => "sin",
+        Unary::Cos => "cos",
+        Unary::Tan => "tan",
+        Unary::Exp => "exp",
+        Unary::Ln => "ln",
+    }
+}
+
+fn table_entry(node: Node) -> TokenStream {
+    let two = |name: &str, a: NodeId, b: NodeId| {
+        let name = Ident::new(name, Span::call_site());
+        let (a, b) = (position(a), position(b));
+        quote! { Operation::#name(#a, #b) }
+    };
+    let one = |name: &str, a: NodeId| {
+        let name = Ident::new(name, Span::call_site());
+        let a = position(a);
+        quote! { Operation::#name(#a) }
+    };
+    match node {
+        Node::Constant(bits) => {
+            let value = literal(f64::from_bits(bits));
+            quote! { Operation::Constant(#value) }
+        }
+        Node::Input(index) => {
+            let index = index as u16;
+            quote! { Operation::Input(#index) }
+        }
+        Node::Negate(a) => one("Negate", a),
+        Node::Add(a, b) => two("Add", a, b),
+        Node::Subtract(a, b) => two("Subtract", a, b),
+        Node::Multiply(a, b) => two("Multiply", a, b),
+        Node::Divide(a, b) => two("Divide", a, b),
+        Node::Unary(function, a) => {
+            let name = unary_name(function);
+            one(&format!("{}{}", name[..1].to_uppercase(), &name[1..]), a)
+        }
+        Node::Binary(Binary::Pow, a, b) => two("Pow", a, b),
+        Node::Binary(Binary::Atan2, a, b) => two("Atan2", a, b),
+        Node::Term(a, term) => {
+            let (a, term) = (position(a), term.0);
+            quote! { Operation::Term(#a, #term) }
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! The pipeline, read first: declaration → syntax → model → linearised programs → optimised → Rust.
+
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+
+use crate::emit::{emit_element, emit_export, emit_geometry, emit_law};
+use crate::model::Model;
+use crate::syntax::File;
+
+/// A declaration file with the `export PREFIX;` line that may stand first.
+pub struct Declaration {
+    /// Prefix of the C symbols, where the library is exported.
+    pub export: Option<Ident>,
+    /// The items.
+    pub file: File,
+}
+
+/// Text of the built-in elements, in the language.
+pub const LIBRARY_ELEMENTS: &str = include_str!("../library/elements.contact");
+
+/// Expands the body of `contact_elements! { … }`. Mistakes become `compile_error!` at their tokens.
+pub fn expand(tokens: TokenStream) -> TokenStream {
+    let library = Model::library();
+    let result = parse(tokens).and_then(|declaration| {
+        let model = Model::build(&declaration.file, Some(&library))?;
+        Ok(emit(&model, declaration.export.as_ref()))
+    });
+    result.unwrap_or_else(|error| error.into_compile_error())
+}
+
+/// Expands one part of the built-in library: `geometries`, `laws` or `elements`.
+pub fn expand_library(part: &str) -> syn::Result<TokenStream> {
+    let library = Model::library();
+    let model = match part {
+        "geometries" => Model {
+            geometries: library.geometries.clone(),
+            ..Model::default()
+        },
+        "laws" => Model {
+            laws: library.laws.clone(),
+            ..Model::default()
+        },
+        _ => library_elements()?,
+    };
+    Ok(emit(&model, None))
+}
+
+/// Exports the built-in elements under `prefix`; `ELEMENTS` and the types must be in scope.
+pub fn expand_library_export(prefix: &Ident) -> syn::Result<TokenStream> {
+    let names: Vec<Ident> = library_elements()?
+        .elements
+        .iter()
+        .map(|element| element.name.clone())
+        .collect();
+    Ok(emit_export(prefix, &names))
+}
+
+/// The built-in elements.
+pub fn library_elements() -> syn::Result<Model> {
+    let tokens: TokenStream = LIBRARY_ELEMENTS.parse()?;
+    Model::build(&syn::parse2(tokens)?, Some(&Model::library()))
+}
+
+/// Splits off `export PREFIX;` and parses the rest.
+pub fn parse(tokens: TokenStream) -> syn::Result<Declaration> {
+    let list: Vec<TokenTree> = tokens.into_iter().collect();
+    let (export, rest) = match list.as_slice() {
+        [
+            TokenTree::Ident(keyword),
+            TokenTree::Ident(prefix),
+            TokenTree::Punct(end),
+            rest @ ..,
+        ] if keyword == "export" && end.as_char() == ';' => (Some(prefix.clone()), rest),
+        rest => (None, rest),
+    };
+    let file = syn::parse2(rest.iter().cloned().collect())?;
+    Ok(Declaration { export, file })
+}
+
+fn emit(model: &Model, export: Option<&Ident>) -> TokenStream {
+    let geometries = model.geometries.iter().map(|item| emit_geometry(item));
+    let laws = model.laws.iter().map(|item| emit_law(item));
+    let elements = model.elements.iter().map(emit_element);
+    let registry = registry(model);
+    let export = export.map(|prefix| {
+        let names: Vec<Ident> = model.elements.iter().map(|e| e.name.clone()).collect();
+        emit_export(prefix, &names)
+    });
+    quote! { #(#geometries)* #(#laws)* #(#elements)* #registry #export }
+}
+
+/// Lists of what was declared, in the order of declaration.
+fn registry(model: &Model) -> TokenStream {
+    let geometries = list(
+        "GEOMETRIES",
+        "GeometryPrograms",
+        "PROGRAMS",
+        model.geometries.iter().map(|g| &g.name),
+    );
+    let laws = list(
+        "LAWS",
+        "LawPrograms",
+        "PROGRAMS",
+        model.laws.iter().map(|law| &law.name),
+    );
+    let descriptions = list(
+        "DESCRIPTIONS",
+        "ElementDescription",
+        "DESCRIPTION",
+        model.elements.iter().map(|element| &element.name),
+    );
+    let names: Vec<&Ident> = model.elements.iter().map(|element| &element.name).collect();
+    let count = names.len();
+    let elements = (count > 0).then(|| {
+        quote! {
+            /// The elements declared here; an index never changes once released.
+            pub static ELEMENTS: [&::contact_elements::abi::Descriptor; #count] =
+                [#(#names::DESCRIPTOR),*];
+        }
+    });
+    quote! { #geometries #laws #descriptions #elements }
+}
+
+fn list<'a>(
+    name: &str,
+    kind: &str,
+    constant: &str,
+    items: impl Iterator<Item = &'a Ident>,
+) -> Option<TokenStream> {
+    let items: Vec<&Ident> = items.collect();
+    if items.is_empty() {
+        return None;
+    }
+    let (name, kind, constant) = (
+        format_ident!("{name}"),
+        format_ident!("{kind}"),
+        format_ident!("{constant}"),
+    );
+    Some(quote! {
+        /// What was declared here, for verification.
+        pub const #name: &[&::contact_elements::program::#kind] = &[#(&#items::#constant),*];
+    })
+}

@@ -1,0 +1,167 @@
+//! C header section and Fortran include file of a library of elements.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use crate::emit::symbol_name;
+use crate::expand::parse;
+use crate::model::{Element, Model};
+
+/// The C header of the interface: types, units, rules and functions.
+pub const C_HEADER: &str = include_str!("../../../contact-elements/include/contact_elements.h");
+
+/// Symbols of `elements` under `prefix`: one evaluation function and one index per element.
+pub fn symbols(prefix: &str, elements: &[Element]) -> String {
+    let upper = prefix.to_uppercase();
+    let mut text = String::new();
+    for (index, element) in elements.iter().enumerate() {
+        let symbol = symbol_name(&element.name.to_string());
+        for line in element.docs.trim().lines() {
+            let _ = writeln!(text, "/* {} */", line.trim());
+        }
+        let _ = writeln!(text, "#define {upper}_{} {index}", symbol.to_uppercase());
+        let _ = writeln!(
+            text,
+            "int32_t {prefix}_{symbol}(cte_arguments *arguments);\n"
+        );
+    }
+    text
+}
+
+/// Fortran include file: the index of every element as a PARAMETER, fixed and free form alike.
+pub fn fortran_include(prefix: &str, elements: &[Element]) -> String {
+    let upper = prefix.to_uppercase();
+    let mut text = String::new();
+    for (index, element) in elements.iter().enumerate() {
+        let name = format!(
+            "{upper}_{}",
+            symbol_name(&element.name.to_string()).to_uppercase()
+        );
+        let _ = writeln!(text, "      INTEGER {name}");
+        let _ = writeln!(text, "      PARAMETER ({name} = {index})");
+    }
+    text
+}
+
+/// A whole header for a library with its own prefix.
+pub fn header(prefix: &str, elements: &[Element]) -> String {
+    let guard = format!("{}_H", prefix.to_uppercase());
+    let functions = functions(prefix);
+    let symbols = symbols(prefix, elements);
+    format!(
+        "/* Elements of the library `{prefix}`; types, units and rules: contact_elements.h. */\n\
+         #ifndef {guard}\n#define {guard}\n\n#include <contact_elements.h>\n\n\
+         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{functions}\n{symbols}\
+         #ifdef __cplusplus\n}}\n#endif\n#endif\n"
+    )
+}
+
+/// The function section of [`C_HEADER`] under another prefix; the types stay `cte_`.
+fn functions(prefix: &str) -> String {
+    let section = between(C_HEADER, "functions */\n", "/* Element symbols:");
+    let (before, rest) = section
+        .split_once("/* For hosts that dlopen")
+        .unwrap_or((section, ""));
+    let (_, after) = rest.split_once("} cte_api_table;\n").unwrap_or(("", rest));
+    let text = format!("{before}{after}");
+    let mut renamed = String::new();
+    let mut rest = text.as_str();
+    while let Some(at) = rest.find("cte_") {
+        let (head, tail) = rest.split_at(at);
+        let end = tail
+            .find(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+            .unwrap_or(tail.len());
+        let (name, after) = tail.split_at(end);
+        renamed.push_str(head);
+        match (after.starts_with('('), name.strip_prefix("cte_")) {
+            (true, Some(name)) => {
+                let _ = write!(renamed, "{prefix}_{name}");
+            }
+            _ => renamed.push_str(name),
+        }
+        rest = after;
+    }
+    renamed.push_str(rest);
+    renamed
+}
+
+fn between<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
+    let after = text.split_once(start).map_or("", |(_, after)| after);
+    after.split_once(end).map_or(after, |(inside, _)| inside)
+}
+
+/// What went wrong while a build script wrote a header.
+#[derive(Debug)]
+pub enum HeaderError {
+    /// A file could not be read or written.
+    File(PathBuf, std::io::Error),
+    /// The source is not Rust, or a declaration has mistakes (the compiler shows them in place).
+    Declaration(syn::Error),
+    /// No `contact_elements!` with an `export PREFIX;` line in the source.
+    NothingExported,
+}
+
+impl std::fmt::Display for HeaderError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::File(path, error) => write!(f, "{}: {error}", path.display()),
+            Self::Declaration(error) => write!(f, "{error}"),
+            Self::NothingExported => {
+                write!(
+                    f,
+                    "no contact_elements! with `export PREFIX;` as its first line"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for HeaderError {}
+
+/// For a build script: finds the exported `contact_elements!` in the Rust file `source` and writes
+/// `PREFIX.h` and `PREFIX.inc`, beside a copy of `contact_elements.h`, into `directory`.
+/// Returns the path of `PREFIX.h`.
+///
+/// # Errors
+/// [`HeaderError`]: unreadable files, mistakes in the declaration, nothing exported.
+pub fn write(source: &Path, directory: &Path) -> Result<PathBuf, HeaderError> {
+    let file = |path: &Path| {
+        let path = path.to_path_buf();
+        move |error| HeaderError::File(path, error)
+    };
+    let text = std::fs::read_to_string(source).map_err(file(source))?;
+    let rust = syn::parse_file(&text).map_err(HeaderError::Declaration)?;
+    let library = Model::library();
+    for item in rust.items {
+        let syn::Item::Macro(item) = item else {
+            continue;
+        };
+        if item
+            .mac
+            .path
+            .segments
+            .last()
+            .is_none_or(|s| s.ident != "contact_elements")
+        {
+            continue;
+        }
+        let declaration = parse(item.mac.tokens).map_err(HeaderError::Declaration)?;
+        let Some(prefix) = declaration.export else {
+            continue;
+        };
+        let model =
+            Model::build(&declaration.file, Some(&library)).map_err(HeaderError::Declaration)?;
+        let prefix = prefix.to_string();
+        std::fs::create_dir_all(directory).map_err(file(directory))?;
+        let path = directory.join(format!("{prefix}.h"));
+        let write = |path: &Path, text: &str| std::fs::write(path, text).map_err(file(path));
+        write(&path, &header(&prefix, &model.elements))?;
+        write(&directory.join("contact_elements.h"), C_HEADER)?;
+        write(
+            &directory.join(format!("{prefix}.inc")),
+            &fortran_include(&prefix, &model.elements),
+        )?;
+        return Ok(path);
+    }
+    Err(HeaderError::NothingExported)
+}

@@ -1,0 +1,61 @@
+//! The hand-derived covariant forms: one function per term, each tagged with its equation.
+//!
+//! Input: the checked model. Output: programs of one contact point. Nothing here differentiates an
+//! energy; only declared shape functions, rigid geometries, distance functions and laws are
+//! differentiated, because their derivatives are what the closed forms are written in.
+//!
+//! | file | program | equations |
+//! |---|---|---|
+//! | `geometry` | shape rows, rigid positions and their derivatives, closed projections | declared |
+//! | `gap` | normal, distance, gap | [eq:2-normal] [eq:gap] |
+//! | `normal` | coefficients of the tangent | [eq:12-main] [eq:13-curvature] … |
+//! | `distance` | gap and tangent of a rigid distance function | [eq:distance] |
+//! | `law` | N, N', W of a normal law | [eq:law] |
+//! | `measure` | Jacobian of the slave and its variation | [eq:measure] |
+
+pub mod distance;
+pub mod gap;
+pub mod geometry;
+pub mod law;
+pub mod measure;
+pub mod normal;
+
+use crate::model::Linearisation;
+
+/// What the closed forms need to know about a pair.
+#[derive(Clone, Debug)]
+pub struct Kinematics {
+    /// Space dimension, 2 or 3.
+    pub dimension: usize,
+    /// Which relative positions move with the projected parameter i: r_,i has a shape row (false for
+    /// the parameters of a rigid master). Its length is the number of projected parameters.
+    pub moving: Vec<bool>,
+    /// Which second derivatives r_,11 r_,12 r_,22 can be non-zero.
+    pub curved: Vec<bool>,
+    /// Gap with a sign (codimension one) or distance without.
+    pub signed: bool,
+    /// Which form of the tangent.
+    pub linearisation: Linearisation,
+}
+
+impl Kinematics {
+    /// Number of projected parameters.
+    pub fn projected(&self) -> usize {
+        self.moving.len()
+    }
+
+    /// Directions that are neither normal nor tangential.
+    pub fn complement(&self) -> usize {
+        self.dimension - 1 - self.projected()
+    }
+}
+
+/// Number of second derivatives of `p` parameters.
+pub fn second_derivatives(p: usize) -> usize {
+    p * (p + 1) / 2
+}
+
+/// Position of the pair i, j in the order 11, 12, 22.
+pub fn pair_index(i: usize, j: usize) -> usize {
+    i + j
+}

@@ -1,0 +1,293 @@
+//! Checks of elements.
+
+use std::rc::Rc;
+
+use proc_macro2::Span;
+
+use super::pair::{Side, check_pair, master, only_gap, slave};
+use super::registry::{Entry, Registry};
+use super::types::{Element, Gap, Law, Linearisation, Master, Measure, Slave};
+use crate::diagnostics::{Mistakes, element as messages, names};
+use crate::syntax::{self, ElementItem, Word};
+
+/// The entries of an element, in the order of the documentation.
+const ENTRIES: [&str; 8] = [
+    "dimension",
+    "slave",
+    "master",
+    "normal",
+    "gap",
+    "linearisation",
+    "measure",
+    "outputs",
+];
+
+/// The element an item describes; `None` after a mistake.
+pub(super) fn element(
+    item: &ElementItem,
+    registry: &Registry,
+    mistakes: &mut Mistakes,
+) -> Option<Element> {
+    let before = mistakes.count();
+    let entries = Entries::new(item, mistakes);
+    let dimension = entries.dimension(mistakes);
+    let slave = entries
+        .require("slave", "slave: point;", mistakes)
+        .and_then(|entry| slave(entry, registry, mistakes));
+    let master = entries
+        .require("master", "master: Quad4;", mistakes)
+        .and_then(|entry| master(entry, registry, mistakes));
+    let law = entries
+        .require("normal", "normal: Penalty;", mistakes)
+        .and_then(|entry| law(entry, registry, mistakes));
+    let pair = match (dimension, &slave, &master) {
+        (Some(dimension), Some(slave), Some(master))
+            if check_pair(dimension, slave, master, mistakes) =>
+        {
+            Some((dimension, &slave.what, &master.what))
+        }
+        _ => None,
+    };
+    if let (Some(master), Some(law)) = (&master, &law) {
+        check_parameters(master, law, mistakes);
+    }
+    let gap = entries.gap(pair, mistakes);
+    let linearisation = entries.linearisation(master.as_ref(), mistakes);
+    let measure = entries.measure(slave.as_ref(), mistakes);
+    let residual_only = entries.outputs(linearisation.as_ref(), mistakes);
+    if mistakes.count() > before || !item.complete {
+        return None;
+    }
+    Some(Element {
+        name: item.name.clone(),
+        docs: item.docs.clone(),
+        dimension: dimension?,
+        slave: slave?.what,
+        master: master?.what,
+        law: law?.what,
+        gap: gap?,
+        linearisation: linearisation?.what,
+        measure: measure?,
+        residual_only: residual_only?,
+    })
+}
+
+/// The normal law; `None` after a mistake.
+fn law(
+    entry: &syntax::Entry,
+    registry: &Registry,
+    mistakes: &mut Mistakes,
+) -> Option<Side<Rc<Law>>> {
+    let Word::Name(name) = &entry.word else {
+        mistakes.report(entry.word.span(), messages::number_for_name("normal"));
+        return None;
+    };
+    plain(entry, mistakes);
+    let text = name.to_string();
+    let message = match registry.get(name) {
+        Some(Entry::Law(law)) => {
+            return Some(Side {
+                what: law.clone(),
+                span: name.span(),
+            });
+        }
+        Some(Entry::Geometry(geometry)) => messages::geometry_as_law(&text, geometry.describe()),
+        Some(Entry::Element | Entry::Broken) => return None,
+        None => names::unknown_law(&text, &registry.laws()),
+    };
+    mistakes.report(name.span(), message);
+    None
+}
+
+/// Parameters of the law and of a rigid master share one list.
+fn check_parameters(master: &Side<Master>, law: &Side<Rc<Law>>, mistakes: &mut Mistakes) {
+    let Some(geometry) = master.what.geometry() else {
+        return;
+    };
+    for parameter in &geometry.parameters {
+        if law
+            .what
+            .parameters
+            .iter()
+            .any(|other| other.name == parameter.name)
+        {
+            let (law_name, geometry) = (law.what.name.to_string(), geometry.name.to_string());
+            let name = parameter.name.to_string();
+            let message = messages::parameter_of_both(&name, &law_name, &geometry);
+            mistakes.report(law.span, message);
+        }
+    }
+}
+
+/// The entries of an element: known ones only, each once.
+struct Entries<'a> {
+    item: &'a ElementItem,
+    entries: Vec<&'a syntax::Entry>,
+}
+
+impl<'a> Entries<'a> {
+    fn new(item: &'a ElementItem, mistakes: &mut Mistakes) -> Self {
+        let mut entries: Vec<&syntax::Entry> = Vec::new();
+        for entry in &item.entries {
+            let key = entry.key.to_string();
+            if !ENTRIES.contains(&key.as_str()) {
+                let message = names::unknown_entry(&key, "an element", &ENTRIES);
+                mistakes.report(entry.key.span(), message);
+            } else if entries.iter().any(|other| other.key == entry.key) {
+                mistakes.report(entry.key.span(), names::duplicate_entry(&key));
+            } else {
+                entries.push(entry);
+            }
+        }
+        Entries { item, entries }
+    }
+
+    fn get(&self, key: &str) -> Option<&'a syntax::Entry> {
+        self.entries.iter().find(|entry| entry.key == key).copied()
+    }
+
+    fn require(
+        &self,
+        key: &str,
+        example: &str,
+        mistakes: &mut Mistakes,
+    ) -> Option<&'a syntax::Entry> {
+        let entry = self.get(key);
+        let misspelt = self.item.entries.len() > self.entries.len();
+        if entry.is_none() && self.item.complete && !misspelt {
+            let message = names::missing_entry(key, "an element", example);
+            mistakes.report(self.item.name.span(), message);
+        }
+        entry
+    }
+
+    /// 2 or 3; `None` after a mistake.
+    fn dimension(&self, mistakes: &mut Mistakes) -> Option<usize> {
+        let Some(entry) = self.get("dimension") else {
+            return Some(3);
+        };
+        plain(entry, mistakes);
+        match entry.word {
+            Word::Number(dimension @ (2 | 3), _) => Some(dimension),
+            _ => {
+                mistakes.report(entry.word.span(), messages::wrong_dimension());
+                None
+            }
+        }
+    }
+
+    /// One of two words, the first of which is the default; `None` after a mistake.
+    fn choice<T: Copy>(
+        &self,
+        key: &str,
+        choices: [(&str, T); 2],
+        mistakes: &mut Mistakes,
+    ) -> Option<(T, Option<Span>)> {
+        let Some(entry) = self.get(key) else {
+            return Some((choices[0].1, None));
+        };
+        plain(entry, mistakes);
+        let text = match &entry.word {
+            Word::Name(name) => name.to_string(),
+            Word::Number(value, _) => value.to_string(),
+        };
+        let span = entry.word.span();
+        if let Some((_, value)) = choices.iter().find(|(word, _)| *word == text) {
+            return Some((*value, Some(span)));
+        }
+        let words = choices.map(|(word, _)| word);
+        mistakes.report(span, messages::unknown_choice(key, &text, &words));
+        None
+    }
+
+    fn gap(&self, pair: Option<(usize, &Slave, &Master)>, mistakes: &mut Mistakes) -> Option<Gap> {
+        let choices = [("distance", Gap::Distance), ("signed", Gap::Signed)];
+        let (chosen, span) = self.choice("gap", choices, mistakes)?;
+        // A pair that cannot meet has no gap to speak of.
+        let (dimension, slave, master) = pair?;
+        match (only_gap(dimension, slave, master), span) {
+            (None, Some(_)) => Some(chosen),
+            (None, None) => {
+                mistakes.report(self.item.name.span(), messages::gap_missing());
+                None
+            }
+            (Some((only, reason)), Some(span)) if only != chosen => {
+                let word = |gap| {
+                    if gap == Gap::Signed {
+                        "signed"
+                    } else {
+                        "distance"
+                    }
+                };
+                let message = messages::gap_not_possible(word(chosen), word(only), reason);
+                mistakes.report(span, message);
+                None
+            }
+            (Some((only, _)), _) => Some(only),
+        }
+    }
+
+    fn linearisation(
+        &self,
+        master: Option<&Side<Master>>,
+        mistakes: &mut Mistakes,
+    ) -> Option<Side<Linearisation>> {
+        let choices = [
+            ("exact", Linearisation::Exact),
+            ("tangent_plane", Linearisation::TangentPlane),
+        ];
+        let (what, span) = self.choice("linearisation", choices, mistakes)?;
+        let span = span.unwrap_or_else(|| self.item.name.span());
+        if what == Linearisation::TangentPlane
+            && let Some(master) = master
+            && master.what.projected() == 0
+        {
+            let name = master.what.name();
+            mistakes.report(span, messages::tangent_plane_without_projection(&name));
+        }
+        Some(Side { what, span })
+    }
+
+    fn measure(&self, slave: Option<&Side<Slave>>, mistakes: &mut Mistakes) -> Option<Measure> {
+        let choices = [
+            ("reference", Measure::Reference),
+            ("current", Measure::Current),
+        ];
+        let (measure, span) = self.choice("measure", choices, mistakes)?;
+        if let (Measure::Current, Some(span), Some(slave)) = (measure, span, slave)
+            && !slave.what.has_own_points()
+        {
+            mistakes.report(span, messages::measure_without_rule());
+        }
+        Some(measure)
+    }
+
+    fn outputs(
+        &self,
+        linearisation: Option<&Side<Linearisation>>,
+        mistakes: &mut Mistakes,
+    ) -> Option<bool> {
+        let choices = [("residual_and_tangent", false), ("residual", true)];
+        let (residual_only, _) = self.choice("outputs", choices, mistakes)?;
+        if let Some(Side {
+            what: Linearisation::TangentPlane,
+            span,
+        }) = linearisation
+            && residual_only
+        {
+            mistakes.report(*span, messages::tangent_plane_of_residual());
+        }
+        Some(residual_only)
+    }
+}
+
+/// An entry that is one word takes neither `at` nor `placed`.
+fn plain(entry: &syntax::Entry, mistakes: &mut Mistakes) {
+    let key = entry.key.to_string();
+    if let Some(rule) = &entry.rule {
+        mistakes.report(rule.name.span(), messages::rule_not_here(&key));
+    }
+    if let Some(placed) = &entry.placed {
+        mistakes.report(placed.span(), messages::placed_not_here(&key));
+    }
+}

@@ -1,0 +1,8 @@
+/* bad_calls.h - the parts of bad_input.c that are not about one evaluation. */
+#ifndef BAD_CALLS_H
+#define BAD_CALLS_H
+
+void bad_calls(void);   /* lookup, description, history, messages, table, Fortran 77 entries */
+void bad_batches(void); /* batches and their scatter map */
+
+#endif

@@ -1,0 +1,105 @@
+/* interface_layout.c - sizes and offsets of the structs of contact_elements.h with 8-byte pointers.
+ *
+ * The numbers are part of the interface: interface_layout.f90 checks the Fortran module against the same ones.
+ */
+#include "client_support.h"
+#include "interface_parts.h"
+
+#include <stddef.h>
+#include <stdio.h>
+
+typedef struct field {
+  const char *name;
+  size_t found, expected; /* offset [bytes] */
+} field;
+
+#define FIELD(type, name, expected) {#type "." #name, offsetof(type, name), expected}
+
+static void layout(const char *what, size_t size, size_t expected, const field *fields, size_t count)
+{
+  int pass = size == expected;
+  for (size_t i = 0; i < count; i++)
+    if (fields[i].found != fields[i].expected) {
+      printf("     %s at %zu, not %zu\n", fields[i].name, fields[i].found, fields[i].expected);
+      pass = 0;
+    }
+  client_check(pass, client_text(what, (long)size));
+}
+
+static void layout_info(void)
+{
+  static const field fields[] = {
+      FIELD(cte_info, struct_size, 0), FIELD(cte_info, dimension, 4), FIELD(cte_info, nodes_minimum, 8),
+      FIELD(cte_info, nodes_maximum, 12), FIELD(cte_info, slave_nodes, 16), FIELD(cte_info, master_nodes, 20),
+      FIELD(cte_info, unknowns, 24), FIELD(cte_info, parameters, 28), FIELD(cte_info, history, 32),
+      FIELD(cte_info, points, 36), FIELD(cte_info, projected, 40), FIELD(cte_info, requests, 44),
+      FIELD(cte_info, symmetric, 48), FIELD(cte_info, operations, 52), FIELD(cte_info, workspace, 56),
+      FIELD(cte_info, formulation, 64), FIELD(cte_info, name, 72), FIELD(cte_info, documentation, 80),
+      FIELD(cte_info, reserved, 88)};
+  layout("layout of cte_info, bytes:", sizeof(cte_info), 152, fields, sizeof fields / sizeof fields[0]);
+}
+
+static void layout_arguments(void)
+{
+  static const field fields[] = {
+      FIELD(cte_arguments, struct_size, 0), FIELD(cte_arguments, request, 4), FIELD(cte_arguments, nnode, 8),
+      FIELD(cte_arguments, nslave, 12), FIELD(cte_arguments, element_id, 16), FIELD(cte_arguments, step, 24),
+      FIELD(cte_arguments, increment, 28), FIELD(cte_arguments, iteration, 32),
+      FIELD(cte_arguments, parameter_count, 36), FIELD(cte_arguments, t, 40), FIELD(cte_arguments, dt, 48),
+      FIELD(cte_arguments, x, 56), FIELD(cte_arguments, u, 64), FIELD(cte_arguments, u_old, 72),
+      FIELD(cte_arguments, v, 80), FIELD(cte_arguments, x_node_stride, 88),
+      FIELD(cte_arguments, u_node_stride, 96), FIELD(cte_arguments, parameters, 104),
+      FIELD(cte_arguments, hist_old, 112), FIELD(cte_arguments, hist_new, 120),
+      FIELD(cte_arguments, slave_row, 128), FIELD(cte_arguments, f, 136), FIELD(cte_arguments, k, 144),
+      FIELD(cte_arguments, k_row_stride, 152), FIELD(cte_arguments, k_col_stride, 160),
+      FIELD(cte_arguments, unknown_map, 168), FIELD(cte_arguments, f_scale, 176),
+      FIELD(cte_arguments, k_scale, 184), FIELD(cte_arguments, output, 192), FIELD(cte_arguments, energy, 200),
+      FIELD(cte_arguments, workspace, 208), FIELD(cte_arguments, workspace_size, 216),
+      FIELD(cte_arguments, dt_ratio, 224), FIELD(cte_arguments, status, 232),
+      FIELD(cte_arguments, closed_points, 236), FIELD(cte_arguments, error_argument, 240),
+      FIELD(cte_arguments, error_index, 244), FIELD(cte_arguments, reserved, 248)};
+  layout("layout of cte_arguments, bytes:", sizeof(cte_arguments), 312, fields, sizeof fields / sizeof fields[0]);
+}
+
+static void layout_batch(void)
+{
+  static const field fields[] = {
+      FIELD(cte_batch, struct_size, 0), FIELD(cte_batch, request, 4), FIELD(cte_batch, nslave, 8),
+      FIELD(cte_batch, parameter_count, 12), FIELD(cte_batch, x, 16), FIELD(cte_batch, u, 24),
+      FIELD(cte_batch, x_element_stride, 32), FIELD(cte_batch, x_node_stride, 40),
+      FIELD(cte_batch, x_component_stride, 48), FIELD(cte_batch, u_element_stride, 56),
+      FIELD(cte_batch, u_node_stride, 64), FIELD(cte_batch, u_component_stride, 72),
+      FIELD(cte_batch, connectivity, 80), FIELD(cte_batch, global_nodes, 88), FIELD(cte_batch, parameters, 96),
+      FIELD(cte_batch, parameter_element_stride, 104), FIELD(cte_batch, hist_old, 112),
+      FIELD(cte_batch, hist_new, 120), FIELD(cte_batch, slave_row, 128), FIELD(cte_batch, f, 136),
+      FIELD(cte_batch, k, 144), FIELD(cte_batch, f_element_stride, 152), FIELD(cte_batch, k_element_stride, 160),
+      FIELD(cte_batch, global_f, 168), FIELD(cte_batch, csr_values, 176), FIELD(cte_batch, csr_map, 184),
+      FIELD(cte_batch, f_scale, 192), FIELD(cte_batch, k_scale, 200), FIELD(cte_batch, output, 208),
+      FIELD(cte_batch, energy, 216), FIELD(cte_batch, status, 224), FIELD(cte_batch, code, 232),
+      FIELD(cte_batch, workspace, 240), FIELD(cte_batch, workspace_size, 248), FIELD(cte_batch, failed, 256),
+      FIELD(cte_batch, error_argument, 264), FIELD(cte_batch, error_index, 268), FIELD(cte_batch, reserved, 272)};
+  layout("layout of cte_batch, bytes:", sizeof(cte_batch), 336, fields, sizeof fields / sizeof fields[0]);
+}
+
+static void layout_api_table(void)
+{
+  static const field fields[] = {
+      FIELD(cte_api_table, struct_size, 0), FIELD(cte_api_table, version, 4),
+      FIELD(cte_api_table, element_count, 8), FIELD(cte_api_table, element_get, 16),
+      FIELD(cte_api_table, element_find, 24), FIELD(cte_api_table, element_info, 32),
+      FIELD(cte_api_table, element_unknown, 40), FIELD(cte_api_table, element_parameter, 48),
+      FIELD(cte_api_table, element_check_parameters, 56), FIELD(cte_api_table, element_history_init, 64),
+      FIELD(cte_api_table, element_evaluate, 72), FIELD(cte_api_table, element_batch_workspace, 80),
+      FIELD(cte_api_table, element_evaluate_batch, 88), FIELD(cte_api_table, csr_map, 96),
+      FIELD(cte_api_table, code_message, 104), FIELD(cte_api_table, status_message, 112),
+      FIELD(cte_api_table, argument_name, 120), FIELD(cte_api_table, element_message, 128)};
+  layout("layout of cte_api_table, bytes:", sizeof(cte_api_table), 136, fields, sizeof fields / sizeof fields[0]);
+}
+
+void interface_layout(void)
+{
+  layout_info();
+  layout_arguments();
+  layout_batch();
+  layout_api_table();
+}

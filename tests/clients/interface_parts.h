@@ -1,0 +1,12 @@
+/* interface_parts.h - the parts of interface.c. */
+#ifndef INTERFACE_PARTS_H
+#define INTERFACE_PARTS_H
+
+void interface_layout(void);    /* sizes and offsets of the structs */
+void interface_constants(void); /* every number of the header */
+void interface_walk(void);      /* every element: description, lookup, evaluation */
+void interface_evaluate(void);  /* every field of cte_arguments */
+void interface_entries(void);   /* the table and the Fortran 77 entries give the same bits */
+void interface_batch(void);     /* batches against single calls */
+
+#endif

@@ -1,0 +1,162 @@
+/* interface_walk.c - every element of the library: description, unknowns, parameters, lookup, evaluation. */
+#include "client_support.h"
+#include "interface_parts.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { NSLAVE = 3, STATES = 6 };
+
+static bench b, alone;
+
+static const uint32_t all_requests = CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY | CTE_OUTPUT | CTE_ENERGY |
+                                     CTE_FREEZE_STATE | CTE_SYMMETRISE | CTE_PROJECTION_GIVEN;
+
+/* The numbers of the description agree with each other. */
+static int description_sound(const cte_info *info)
+{
+  const int interpolated = info->slave_nodes == 0;
+  const int nodes = (interpolated ? NSLAVE : info->slave_nodes) + info->master_nodes;
+  return (info->dimension == 2 || info->dimension == 3) && info->unknowns == nodes * info->dimension &&
+         info->nodes_minimum == (interpolated ? 1 : info->slave_nodes) + info->master_nodes &&
+         info->nodes_maximum == (interpolated ? 0 : info->nodes_minimum) && info->points >= 1 &&
+         info->projected >= 0 && info->projected <= 2 &&
+         info->history == info->points * (1 + info->projected) && (info->requests & CTE_RESIDUAL) &&
+         (info->requests & ~all_requests) == 0 && (info->symmetric == 0 || info->symmetric == 1) &&
+         info->operations > 0 && info->workspace >= 0 && info->formulation != 0 && info->name[0] != '\0' &&
+         info->documentation != NULL;
+}
+
+/* Every unknown has a place of its own, and a kind that its dimension knows. */
+static int unknowns_sound(void)
+{
+  int32_t node, kind, seen[ROOM_NODES][CTE_UNKNOWN_TZ + 1] = {{0}};
+  int pass = 1;
+  for (int32_t i = 0; i < b.info.unknowns && pass; i++) {
+    pass = cte_element_unknown(b.element, b.a.nnode, i, &node, &kind) == CTE_SUCCESS && node >= 0 &&
+           node < ROOM_NODES && kind >= CTE_UNKNOWN_UX && kind <= CTE_UNKNOWN_TZ &&
+           (b.info.dimension == 3 || (kind != CTE_UNKNOWN_UZ && kind != CTE_UNKNOWN_TZ));
+    pass = pass && seen[node][kind]++ == 0 && node == i / b.info.dimension;
+  }
+  return pass && cte_element_unknown(b.element, b.a.nnode, b.info.unknowns, &node, &kind) == CTE_ERROR_INDEX;
+}
+
+/* Names, units and ranges; the plain values of the bench lie inside them. */
+static int parameters_sound(void)
+{
+  int pass = 1;
+  int32_t bad = -1;
+  for (int32_t i = 0; i < b.info.parameters && pass; i++) {
+    const char *name = NULL, *unit = NULL;
+    double lower = 1.0, upper = 0.0;
+    int32_t closed = -1;
+    pass = cte_element_parameter(b.element, i, &name, &unit, &lower, &upper, &closed) == CTE_SUCCESS &&
+           cte_element_parameter(b.element, i, NULL, NULL, NULL, NULL, NULL) == CTE_SUCCESS;
+    pass = pass && name[0] != '\0' && unit[0] != '\0' && lower < upper && (closed & ~3) == 0 &&
+           bench_parameter(&b, name) == i;
+  }
+  return pass && cte_element_check_parameters(b.element, b.parameters, b.info.parameters, &bad) == CTE_SUCCESS;
+}
+
+/* By name, with blanks behind it, cut by its length. */
+static int lookup_sound(int32_t index)
+{
+  char padded[200];
+  int32_t found = -1, exact = -1;
+  const int32_t length = (int32_t)strlen(b.info.name);
+  memset(padded, ' ', sizeof padded);
+  memcpy(padded, b.info.name, (size_t)length);
+  return cte_element_find(padded, sizeof padded, &found) == CTE_SUCCESS && found == index &&
+         cte_element_find(padded, length, &exact) == CTE_SUCCESS && exact == index &&
+         cte_element_get(index) == b.element;
+}
+
+/* Initial history: open, at the centre. */
+static int history_sound(void)
+{
+  int pass = 1;
+  for (int32_t point = 0; point < b.info.points; point++)
+    pass &= b.hist_old[point * (1 + b.info.projected)] == CTE_STATUS_OPEN;
+  return pass;
+}
+
+/* Outputs full of signalling NaN: they are written, never read. */
+static void poison(bench *any)
+{
+  double *values = (double *)&any->out;
+  for (size_t i = 0; i < sizeof any->out / sizeof(double); i++)
+    client_special(1, &values[i]);
+}
+
+/* The same state with one request bit; the struct with the outputs is the copy's own. */
+static int32_t evaluate_alone(uint32_t request)
+{
+  memcpy(&alone, &b, sizeof b);
+  alone.a.request = request;
+  alone.a.f = alone.out.f;
+  alone.a.k = alone.out.k;
+  poison(&alone);
+  return bench_evaluate(&alone);
+}
+
+/* Residual alone: the bits of the joint call. Tangent alone: the same to rounding. Random nodes. */
+static int evaluation_sound(void)
+{
+  const long n = b.info.unknowns;
+  int pass = 1;
+  for (int state = 0; state < STATES && pass; state++) {
+    for (long i = 0; i < n; i++)
+      b.x[i] = client_random();
+    poison(&b);
+    const int32_t code = bench_evaluate(&b);
+    pass = code == CTE_SUCCESS || code == CTE_CUT_BACK;
+    pass = pass && evaluate_alone(CTE_RESIDUAL) == code && alone.a.status == b.a.status;
+    if (code == CTE_SUCCESS)
+      pass = pass && client_same(alone.out.f, b.out.f, n);
+    if (!(b.info.requests & CTE_TANGENT))
+      continue;
+    pass = pass && evaluate_alone(CTE_TANGENT) == code;
+    if (code == CTE_SUCCESS && pass)
+      pass = client_near(alone.out.k, b.out.k, n * n, 1e-13);
+  }
+  return pass;
+}
+
+/* Bits that the element does not offer are refused. */
+static int refusal_sound(void)
+{
+  int pass = 1;
+  for (uint32_t bit = 1; bit <= CTE_PROJECTION_GIVEN; bit *= 2)
+    if (!(b.info.requests & bit)) {
+      b.a.request |= bit;
+      pass &= bench_evaluate(&b) == CTE_ERROR_REQUEST && b.a.error_argument == CTE_ARGUMENT_REQUEST;
+      b.a.request &= ~bit;
+    }
+  return pass;
+}
+
+static void check(int pass, const char *what)
+{
+  char text[200];
+  snprintf(text, sizeof text, "%s: %s", b.info.name, what);
+  client_check(pass, text);
+}
+
+void interface_walk(void)
+{
+  const int32_t count = cte_element_count();
+  client_check(count > 0, "there are elements");
+  for (int32_t index = 0; index < count; index++) {
+    if (!bench_index(&b, index, NSLAVE)) {
+      client_check(0, client_text("layout of element", index));
+      continue;
+    }
+    check(description_sound(&b.info), "description");
+    check(unknowns_sound(), "unknowns");
+    check(parameters_sound(), "parameters");
+    check(lookup_sound(index), "lookup by name");
+    check(history_sound(), "initial history");
+    check(evaluation_sound(), "residual alone, tangent alone, both");
+    check(refusal_sound(), "bits not offered");
+  }
+}

@@ -1,0 +1,82 @@
+//! The numbers everything is evaluated with, and the bridge to geometries known only at run time.
+//!
+//! [`Number`] is what a geometry or a law is evaluated with. [`Base`] adds one more level: a
+//! [`Base::Nested`] number carries a derivative with respect to a parameter on top of a `Base`
+//! number that already carries derivatives with respect to the unknowns.
+
+use num_dual::{Dual, Dual64, DualNum, HyperDual64};
+
+use super::geometry::declared::{DistanceEvaluator, ShapeEvaluator, SurfaceEvaluator};
+
+/// A (possibly nested) dual number over `f64`, with dispatch to run-time evaluators.
+pub trait Number: DualNum<Primitive = f64> + Copy {
+    /// Calls the method of a shape evaluator that belongs to this number type.
+    fn shape_row(evaluator: &dyn ShapeEvaluator, z: [Self; 2], out: &mut [Self]);
+    /// Calls the method of a parametric evaluator that belongs to this number type.
+    fn surface_point(evaluator: &dyn SurfaceEvaluator, z: [Self; 2]) -> [Self; 3];
+    /// Calls the method of a distance evaluator that belongs to this number type.
+    fn distance(evaluator: &dyn DistanceEvaluator, x: [Self; 3]) -> Self;
+}
+
+/// A number for the unknowns, which can be nested once more for a derivative by a parameter.
+pub trait Base: Number {
+    /// `Dual<Self>`.
+    type Nested: Number;
+    /// `value + slope ε`.
+    fn nest(value: Self, slope: Self) -> Self::Nested;
+    /// `(value, slope)`.
+    fn parts(nested: Self::Nested) -> (Self, Self);
+}
+
+macro_rules! number {
+    ($type:ty, $row:ident, $point:ident, $distance:ident) => {
+        impl Number for $type {
+            #[inline]
+            fn shape_row(evaluator: &dyn ShapeEvaluator, z: [Self; 2], out: &mut [Self]) {
+                evaluator.$row(z, out);
+            }
+            #[inline]
+            fn surface_point(evaluator: &dyn SurfaceEvaluator, z: [Self; 2]) -> [Self; 3] {
+                evaluator.$point(z)
+            }
+            #[inline]
+            fn distance(evaluator: &dyn DistanceEvaluator, x: [Self; 3]) -> Self {
+                evaluator.$distance(x)
+            }
+        }
+    };
+}
+number!(f64, row_f64, point_f64, distance_f64);
+number!(Dual64, row_dual, point_dual, distance_dual);
+number!(HyperDual64, row_hyper, point_hyper, distance_hyper);
+number!(
+    Dual<Dual64>,
+    row_nested_dual,
+    point_nested_dual,
+    distance_nested_dual
+);
+number!(
+    Dual<HyperDual64>,
+    row_nested_hyper,
+    point_nested_hyper,
+    distance_nested_hyper
+);
+
+macro_rules! base {
+    ($type:ty) => {
+        impl Base for $type {
+            type Nested = Dual<$type>;
+            #[inline]
+            fn nest(value: Self, slope: Self) -> Self::Nested {
+                Dual::new(value, slope)
+            }
+            #[inline]
+            fn parts(nested: Self::Nested) -> (Self, Self) {
+                (nested.re, nested.eps)
+            }
+        }
+    };
+}
+base!(f64);
+base!(Dual64);
+base!(HyperDual64);

@@ -1,0 +1,401 @@
+//! Closest point projection in doubles: minimises `r·r / 2` over the projected parameters.
+//!
+//! Newton's matrix is the dual derivative of the stationarity conditions `f_i = r·r_,i`.
+
+use num_dual::Dual64;
+
+use super::geometry::region::Side;
+use super::geometry::{Feature, Region};
+use super::kinematics::{Frame, Nodes};
+use super::vector::dot;
+
+/// Result of a projection.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Projection {
+    /// A minimum inside the region (or on its boundary).
+    Inside(Root),
+    /// The minimum over the region lies on its boundary, where `r·r` would fall further outside.
+    Outside {
+        /// Part of the boundary.
+        feature: Feature,
+        /// Parameters of the minimum on the boundary.
+        z: [f64; 2],
+    },
+    /// Not a unique minimum: `F` or the metric is singular at these parameters.
+    Degenerate {
+        /// Where.
+        z: [f64; 2],
+    },
+    /// No stationary point was reached.
+    NotConverged,
+}
+
+/// A converged projection.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Root {
+    /// Parameters, slave's first.
+    pub z: [f64; 2],
+    /// Inverse of `F_ij = (r·r_,i),_j` there.
+    pub inverse: [[f64; 2]; 2],
+    /// How well conditioned it is.
+    pub conditioning: Conditioning,
+    /// Newton iterations used.
+    pub iterations: usize,
+}
+
+/// How far a projection is from being singular.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conditioning {
+    /// Smallest eigenvalue of `a⁻¹F`: one at zero distance, zero at the centre of curvature.
+    pub smallest_eigenvalue: f64,
+    /// Cosine of the angle between the tangents (zero for one parameter).
+    pub tangent_cosine: f64,
+}
+
+/// Smallest eigenvalue of `a⁻¹F`, and smallest squared sine between the tangents, accepted.
+const SINGULAR: f64 = 1e-8;
+const PARALLEL: f64 = 1e-14;
+const MAX_ITERATIONS: usize = 100;
+
+/// The objective and its derivatives at one set of parameters.
+struct Local {
+    value: f64,
+    slope: [f64; 2],
+    /// F.
+    matrix: [[f64; 2]; 2],
+    /// a.
+    metric: [[f64; 2]; 2],
+}
+
+struct Problem<'f, 'a> {
+    frame: &'f Frame<'a>,
+    nodes: Nodes<Dual64>,
+    region: Region,
+    p: usize,
+}
+
+/// Projects from the start `z`; only the first `parameters` entries are used.
+pub fn project(frame: &Frame<'_>, z: [f64; 2]) -> Projection {
+    let p = frame.parameters;
+    if p == 0 {
+        let conditioning = Conditioning {
+            smallest_eigenvalue: 1.0,
+            tangent_cosine: 0.0,
+        };
+        let inverse = [[0.0; 2]; 2];
+        return Projection::Inside(Root {
+            z: [0.0; 2],
+            inverse,
+            conditioning,
+            iterations: 0,
+        });
+    }
+    let nodes = Nodes::lifted(&frame.nodes);
+    let problem = Problem {
+        frame,
+        nodes,
+        region: frame.pair.region(),
+        p,
+    };
+    let mut start = [z[0], if p == 2 { z[1] } else { 0.0 }];
+    for _ in 0..3 {
+        let found = problem.descend(start);
+        match found {
+            Projection::Inside(Root { z, .. }) | Projection::Degenerate { z }
+                if problem.region.contains(z, p) =>
+            {
+                return found;
+            }
+            _ => {}
+        }
+        match problem.on_boundary(start) {
+            Some((feature, z, true)) => return Projection::Outside { feature, z },
+            Some((_, z, false)) => {
+                let middle = problem.region.middle();
+                start = [0, 1].map(|i| z[i] + 0.1 * (middle[i] - z[i]));
+            }
+            None => return Projection::NotConverged,
+        }
+    }
+    Projection::NotConverged
+}
+
+/// A start by search: the sample of a regular grid where `r·r` is least.
+pub fn search(frame: &Frame<'_>, window: [[f64; 2]; 2]) -> [f64; 2] {
+    const SAMPLES: usize = 9;
+    let region = frame.pair.region();
+    let (mut best, mut least) = (region.middle(), f64::INFINITY);
+    for j in 0..if frame.parameters == 2 { SAMPLES } else { 1 } {
+        for i in 0..SAMPLES {
+            let at = |k: usize, step: usize| {
+                let [low, high] = window[k];
+                low + (high - low) * (step as f64 + 0.5) / SAMPLES as f64
+            };
+            let z = [at(0, i), at(1, j)];
+            let r = frame.relative(&frame.nodes, z).position;
+            if region.contains(z, frame.parameters) && dot(r, r) < least {
+                (best, least) = (z, dot(r, r));
+            }
+        }
+    }
+    best
+}
+
+impl Problem<'_, '_> {
+    fn value(&self, z: [f64; 2]) -> f64 {
+        let r = self.frame.relative(&self.frame.nodes, z).position;
+        0.5 * dot(r, r)
+    }
+
+    fn local(&self, z: [f64; 2]) -> Local {
+        let mut local = Local {
+            value: 0.0,
+            slope: [0.0; 2],
+            matrix: [[0.0; 2]; 2],
+            metric: [[0.0; 2]; 2],
+        };
+        for j in 0..self.p {
+            let seed = |i: usize| Dual64::new(z[i], if i == j { 1.0 } else { 0.0 });
+            let relative = self.frame.relative(&self.nodes, [seed(0), seed(1)]);
+            local.value = 0.5 * dot(relative.position, relative.position).re;
+            for i in 0..self.p {
+                let f = dot(relative.position, relative.tangents[i]);
+                local.slope[i] = f.re;
+                local.matrix[i][j] = f.eps;
+                local.metric[i][j] = dot(relative.tangents[i], relative.tangents[j]).re;
+            }
+        }
+        local
+    }
+
+    /// Damped Newton for a minimum, bounds ignored; refined until steps stop shrinking.
+    fn descend(&self, mut z: [f64; 2]) -> Projection {
+        let mut previous = f64::INFINITY;
+        for iteration in 0..MAX_ITERATIONS {
+            let local = self.local(z);
+            let newton = solve(&local.matrix, local.slope, self.p);
+            let Some(step) = newton.or_else(|| solve(&local.metric, local.slope, self.p)) else {
+                return Projection::Degenerate { z };
+            };
+            let size = (0..self.p)
+                .map(|i| step[i].abs() / (1.0 + z[i].abs()))
+                .fold(0.0, f64::max);
+            if !size.is_finite() {
+                return Projection::NotConverged;
+            }
+            let stagnant = size >= 0.5 * previous && (size < 1e-7 || self.is_noise(&local));
+            if size <= 4.0 * f64::EPSILON || stagnant {
+                return self.classify(z, &local, newton.is_some(), iteration);
+            }
+            previous = size;
+            z = self.advance(z, step, &local, size);
+        }
+        Projection::NotConverged
+    }
+
+    /// Whether the stationarity conditions hold as well as the rounding of positions allows.
+    fn is_noise(&self, local: &Local) -> bool {
+        let noise = 16.0 * f64::EPSILON * self.frame.size;
+        (0..self.p).all(|i| local.slope[i].abs() <= noise * local.metric[i][i].sqrt())
+    }
+
+    /// `z - t step` with the largest t = 1, 1/2, 1/4 ... that does not raise the objective.
+    fn advance(&self, z: [f64; 2], step: [f64; 2], local: &Local, size: f64) -> [f64; 2] {
+        let longest = (0..self.p)
+            .map(|i| step[i].abs() / self.region.extent(i))
+            .fold(0.0, f64::max);
+        let mut t = if longest > 0.5 { 0.5 / longest } else { 1.0 };
+        let at = |t: f64| [z[0] - t * step[0], z[1] - t * step[1]];
+        if size < 1e-6 {
+            return at(t);
+        }
+        for _ in 0..40 {
+            if self.value(at(t)) <= local.value * (1.0 + 1e-14) {
+                break;
+            }
+            t *= 0.5;
+        }
+        at(t)
+    }
+
+    fn classify(&self, z: [f64; 2], local: &Local, minimum: bool, iterations: usize) -> Projection {
+        let (a, f) = (&local.metric, &local.matrix);
+        let conditioning = if self.p == 1 {
+            Conditioning {
+                smallest_eigenvalue: f[0][0] / a[0][0],
+                tangent_cosine: 0.0,
+            }
+        } else {
+            let cosine = a[0][1] / (a[0][0] * a[1][1]).sqrt();
+            let det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+            let half_trace =
+                0.5 * (a[1][1] * f[0][0] - 2.0 * a[0][1] * f[0][1] + a[0][0] * f[1][1]) / det;
+            let product = (f[0][0] * f[1][1] - f[0][1] * f[1][0]) / det;
+            let root = (half_trace * half_trace - product).max(0.0).sqrt();
+            Conditioning {
+                smallest_eigenvalue: half_trace - root,
+                tangent_cosine: cosine.abs(),
+            }
+        };
+        match invert(f, self.p) {
+            Some(inverse) if minimum && conditioning.smallest_eigenvalue > SINGULAR => {
+                Projection::Inside(Root {
+                    z,
+                    inverse,
+                    conditioning,
+                    iterations,
+                })
+            }
+            _ => Projection::Degenerate { z },
+        }
+    }
+
+    /// The best point of the boundary: where, and whether it is a minimum over the region.
+    fn on_boundary(&self, start: [f64; 2]) -> Option<(Feature, [f64; 2], bool)> {
+        let mut best: Option<(Feature, [f64; 2])> = None;
+        let mut least = f64::INFINITY;
+        let mut consider = |feature: Feature, z: [f64; 2]| {
+            let value = self.value(z);
+            if value < least {
+                (best, least) = (Some((feature, z)), value);
+            }
+        };
+        if self.p == 1 {
+            for (k, &end) in self.region.bounds[0]?.iter().enumerate() {
+                consider(Feature::Vertex(k as u8), [end, 0.0]);
+            }
+        } else {
+            for side in self.region.sides() {
+                for (s, z) in self.along(&side, start) {
+                    consider(self.name(&side, s), z);
+                }
+            }
+        }
+        let (feature, z) = best?;
+        Some((feature, z, self.falls_outwards(z)))
+    }
+
+    /// Minima along one side of a region of two parameters, from several starts.
+    fn along(&self, side: &Side, start: [f64; 2]) -> Vec<(f64, [f64; 2])> {
+        let at = |s: f64| [0, 1].map(|i| side.corner[i] + s * side.direction[i]);
+        let d = side.direction;
+        let foot = ((start[0] - side.corner[0]) * d[0] + (start[1] - side.corner[1]) * d[1])
+            / (d[0] * d[0] + d[1] * d[1]);
+        let clamp = |s: f64| side.range.map_or(s, |[low, high]| s.clamp(low, high));
+        let mut starts = vec![clamp(foot)];
+        if let Some([low, high]) = side.range {
+            starts.extend([low, 0.5 * (low + high), high]);
+        }
+        let mut minima = Vec::with_capacity(starts.len());
+        for mut s in starts {
+            for _ in 0..MAX_ITERATIONS {
+                let local = self.local(at(s));
+                let project = |m: &[[f64; 2]; 2]| {
+                    d[0] * (m[0][0] * d[0] + m[0][1] * d[1])
+                        + d[1] * (m[1][0] * d[0] + m[1][1] * d[1])
+                };
+                let slope = local.slope[0] * d[0] + local.slope[1] * d[1];
+                let curvature = project(&local.matrix);
+                let metric = project(&local.metric);
+                let step = slope
+                    / if curvature > 1e-6 * metric {
+                        curvature
+                    } else {
+                        metric
+                    };
+                let mut t = 1.0;
+                while t > 1e-12 && self.value(at(clamp(s - t * step))) > local.value * (1.0 + 1e-14)
+                {
+                    t *= 0.5;
+                }
+                let next = clamp(s - t * step);
+                let moved = (next - s).abs();
+                s = next;
+                if moved <= 4.0 * f64::EPSILON * (1.0 + s.abs()) {
+                    break;
+                }
+            }
+            minima.push((s, at(s)));
+        }
+        minima
+    }
+
+    /// Name of the point `s` of a side.
+    fn name(&self, side: &Side, s: f64) -> Feature {
+        let end = side.range.and_then(|[low, high]| {
+            let slack = 1e-12 * (high - low);
+            if s <= low + slack {
+                Some(0)
+            } else if s >= high - slack {
+                Some(1)
+            } else {
+                None
+            }
+        });
+        let count = if self.region.triangle { 3 } else { 4 };
+        if self.frame.pair.slave_parameters() == 0 {
+            return match end {
+                Some(end) => Feature::Vertex((side.number + end) % count),
+                None => Feature::Edge(side.number),
+            };
+        }
+        // Curve to curve: sides 3 and 1 are the slave's ends, 0 and 2 the master's.
+        match (side.number, end) {
+            (0 | 2, None) => Feature::MasterEnd(side.number / 2),
+            (_, None) => Feature::SlaveEnd(u8::from(side.number == 1)),
+            (number, Some(end)) => match (number + end) % 4 {
+                0 => Feature::BothEnds(0, 0),
+                1 => Feature::BothEnds(1, 0),
+                2 => Feature::BothEnds(1, 1),
+                _ => Feature::BothEnds(0, 1),
+            },
+        }
+    }
+
+    /// Whether the objective rises from the boundary point `z` into the region, i.e. whether `z`
+    /// is a minimum over the region: first-order condition for every side through `z`.
+    fn falls_outwards(&self, z: [f64; 2]) -> bool {
+        let local = self.local(z);
+        let scale = (2.0 * local.value).sqrt();
+        let rises = |inward: [f64; 2]| {
+            let slope = local.slope[0] * inward[0] + local.slope[1] * inward[1];
+            let length = local.metric[0][0].max(local.metric[1][1]).sqrt();
+            slope >= -1e-9 * scale * length
+        };
+        if self.p == 1 {
+            let inward = if z[0] < self.region.middle()[0] {
+                1.0
+            } else {
+                -1.0
+            };
+            return rises([inward, 0.0]);
+        }
+        self.region.sides().iter().all(|side| {
+            let normal = [-side.direction[1], side.direction[0]];
+            let off = (z[0] - side.corner[0]) * normal[0] + (z[1] - side.corner[1]) * normal[1];
+            off.abs() > 1e-9 || rises(side.inward)
+        })
+    }
+}
+
+/// `m⁻¹ v` for a positive definite `m` of order `p`, else nothing.
+fn solve(m: &[[f64; 2]; 2], v: [f64; 2], p: usize) -> Option<[f64; 2]> {
+    let inverse = invert(m, p)?;
+    let row = |i: usize| inverse[i][0] * v[0] + inverse[i][1] * v[1];
+    Some([row(0), row(1)])
+}
+
+/// Inverse of a positive definite symmetric matrix of order `p`, padded by zeros.
+fn invert(m: &[[f64; 2]; 2], p: usize) -> Option<[[f64; 2]; 2]> {
+    if p == 1 {
+        return (m[0][0] > 0.0).then(|| [[m[0][0].recip(), 0.0], [0.0; 2]]);
+    }
+    let det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    let definite = m[0][0] > 0.0 && m[1][1] > 0.0 && det > PARALLEL * m[0][0] * m[1][1];
+    definite.then(|| {
+        [
+            [m[1][1] / det, -m[0][1] / det],
+            [-m[1][0] / det, m[0][0] / det],
+        ]
+    })
+}

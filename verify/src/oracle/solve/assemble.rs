@@ -1,0 +1,231 @@
+//! Sums over the contact points of a pair.
+
+use num_dual::{Dual64, HyperDual64};
+
+use super::point::{PointSolution, Seed};
+use super::{Evaluation, PointReport, PointStatus, State, locate, validate};
+use crate::oracle::error::OracleError;
+use crate::oracle::kinematics::{Frame, Nodes};
+use crate::oracle::law::Law;
+use crate::oracle::pair::{Measure, Pair, Slave};
+
+/// What is wanted beside the residual.
+enum Wanted<'s> {
+    Residual,
+    Tangent,
+    Products(&'s [Vec<f64>]),
+}
+
+/// Residual and full tangent.
+pub fn evaluate(pair: &Pair, state: &State<'_>) -> Result<Evaluation, OracleError> {
+    accumulate(pair, state, &Wanted::Tangent)
+}
+
+/// Residual only; the tangent stays empty.
+pub fn residual(pair: &Pair, state: &State<'_>) -> Result<Evaluation, OracleError> {
+    accumulate(pair, state, &Wanted::Residual)
+}
+
+/// Residual and the tangent times each of `directions`.
+pub fn tangent_times(
+    pair: &Pair,
+    state: &State<'_>,
+    directions: &[Vec<f64>],
+) -> Result<Evaluation, OracleError> {
+    for direction in directions {
+        if direction.len() != pair.unknowns() {
+            let (expected, found) = (pair.unknowns(), direction.len());
+            return Err(OracleError::Length {
+                what: "direction",
+                expected,
+                found,
+            });
+        }
+    }
+    accumulate(pair, state, &Wanted::Products(directions))
+}
+
+/// Total energy `Σ w J W(g)`; NaN if the law has none.
+pub fn energy(pair: &Pair, state: &State<'_>) -> Result<f64, OracleError> {
+    validate(pair, state)?;
+    let mut total = 0.0;
+    for q in 0..pair.points() {
+        let (frame, _, report) = locate(pair, state, q)?;
+        total += energy_of(&frame, &report);
+    }
+    Ok(total)
+}
+
+/// The contact points alone.
+pub fn reports(pair: &Pair, state: &State<'_>) -> Result<Vec<PointReport>, OracleError> {
+    validate(pair, state)?;
+    (0..pair.points())
+        .map(|q| locate(pair, state, q).map(|(_, _, report)| report))
+        .collect()
+}
+
+fn energy_of(frame: &Frame<'_>, report: &PointReport) -> f64 {
+    if report.status != PointStatus::Closed {
+        return 0.0;
+    }
+    let energy = frame.pair.law.energy(HyperDual64::from_re(report.gap));
+    let measure: f64 = if moves(frame.pair) {
+        frame.measure(&frame.nodes.slave)
+    } else {
+        1.0
+    };
+    frame.weight * measure * energy.map_or(f64::NAN, |energy| energy.re)
+}
+
+/// Whether the measure depends on the unknowns.
+fn moves(pair: &Pair) -> bool {
+    matches!(
+        pair.slave,
+        Slave::Fixed {
+            measure: Measure::Current,
+            ..
+        }
+    )
+}
+
+fn accumulate(
+    pair: &Pair,
+    state: &State<'_>,
+    wanted: &Wanted<'_>,
+) -> Result<Evaluation, OracleError> {
+    validate(pair, state)?;
+    let unknowns = pair.unknowns();
+    let mut out = Evaluation {
+        residual: vec![0.0; unknowns],
+        ..Evaluation::default()
+    };
+    match wanted {
+        Wanted::Residual => {}
+        Wanted::Tangent => out.tangent = vec![0.0; unknowns * unknowns],
+        Wanted::Products(directions) => out.products = vec![vec![0.0; unknowns]; directions.len()],
+    }
+    for q in 0..pair.points() {
+        let (frame, root, mut report) = locate(pair, state, q)?;
+        out.energy += energy_of(&frame, &report);
+        if let (PointStatus::Closed, Some(root)) = (report.status, root) {
+            report.force = pair.law.force(Dual64::from_re(report.gap)).re;
+            let contribution = Contribution::new(PointSolution::new(frame, root, report));
+            report.weight = contribution.weight * contribution.measure;
+            contribution.add(wanted, &mut out);
+        }
+        out.points.push(report);
+    }
+    Ok(out)
+}
+
+/// A closed contact point about to be added.
+struct Contribution<'a> {
+    point: PointSolution<'a>,
+    law: &'a Law,
+    weight: f64,
+    /// J (one unless the measure moves) and its gradient.
+    measure: f64,
+    measure_gradient: Vec<f64>,
+    /// Whether the sum is the derivative of an energy.
+    from_energy: bool,
+}
+
+impl<'a> Contribution<'a> {
+    fn new(point: PointSolution<'a>) -> Self {
+        let pair = point.frame.pair;
+        let law = &pair.law;
+        let has_energy = law.energy(HyperDual64::from_re(point.report.gap)).is_some();
+        let (measure, measure_gradient) = moving_measure(&point.frame);
+        let from_energy = has_energy && !moves(pair);
+        Self {
+            law,
+            weight: point.frame.weight,
+            measure,
+            measure_gradient,
+            from_energy,
+            point,
+        }
+    }
+
+    fn add(&self, wanted: &Wanted<'_>, out: &mut Evaluation) {
+        let unknowns = out.residual.len();
+        let force = self.law.force(Dual64::from_re(self.point.report.gap)).re;
+        for (entry, slope) in out.residual.iter_mut().zip(&self.point.gap_gradient) {
+            *entry += self.weight * self.measure * force * slope;
+        }
+        match wanted {
+            Wanted::Residual => {}
+            Wanted::Tangent => self.add_tangent(unknowns, &mut out.tangent),
+            Wanted::Products(directions) => {
+                for (direction, product) in directions.iter().zip(&mut out.products) {
+                    self.add_product(direction, product);
+                }
+            }
+        }
+    }
+
+    fn add_tangent(&self, unknowns: usize, tangent: &mut [f64]) {
+        let mut sweep = self.point.sweep();
+        for i in 0..unknowns {
+            for j in i..unknowns {
+                let gap = self
+                    .point
+                    .hyper(&mut sweep, Seed::Unit(i), Seed::Unit(j))
+                    .gap;
+                tangent[unknowns * i + j] += self.second(gap, self.measure_gradient[j]);
+                if i != j {
+                    let swapped = HyperDual64::new(gap.re, gap.eps2, gap.eps1, gap.eps1eps2);
+                    tangent[unknowns * j + i] += self.second(swapped, self.measure_gradient[i]);
+                }
+            }
+        }
+    }
+
+    fn add_product(&self, direction: &[f64], product: &mut [f64]) {
+        let mut sweep = self.point.sweep();
+        let slope = self
+            .measure_gradient
+            .iter()
+            .zip(direction)
+            .map(|(j, d)| j * d)
+            .sum();
+        for (i, entry) in product.iter_mut().enumerate() {
+            let gap = self
+                .point
+                .hyper(&mut sweep, Seed::Unit(i), Seed::Along(direction))
+                .gap;
+            *entry += self.second(gap, slope);
+        }
+    }
+
+    /// Derivative along the second seed of the residual along the first; `slope` is the
+    /// derivative of the measure along the second.
+    #[inline]
+    fn second(&self, gap: HyperDual64, slope: f64) -> f64 {
+        if self.from_energy {
+            return self.weight
+                * self
+                    .law
+                    .energy(gap)
+                    .map_or(f64::NAN, |energy| energy.eps1eps2);
+        }
+        let force = self.law.force(Dual64::new(gap.re, gap.eps2));
+        let along = Dual64::new(gap.eps1, gap.eps1eps2);
+        self.weight * (force * along * Dual64::new(self.measure, slope)).eps
+    }
+}
+
+/// J and its gradient where the measure moves, else one and zero.
+fn moving_measure(frame: &Frame<'_>) -> (f64, Vec<f64>) {
+    let mut gradient = vec![0.0; frame.pair.unknowns()];
+    if !moves(frame.pair) {
+        return (1.0, gradient);
+    }
+    let mut nodes = Nodes::<Dual64>::lifted(&frame.nodes);
+    for i in 0..frame.pair.dimension * frame.pair.slave_nodes() {
+        frame.unknown(&mut nodes, i).eps = 1.0;
+        gradient[i] = frame.measure(&nodes.slave).eps;
+        frame.unknown(&mut nodes, i).eps = 0.0;
+    }
+    (frame.measure(&frame.nodes.slave), gradient)
+}

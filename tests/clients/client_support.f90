@@ -5,12 +5,13 @@
 module client_support
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int64_t, c_loc, &
     c_null_char, c_null_ptr, c_ptr, c_sizeof
+  use, intrinsic :: iso_fortran_env, only: output_unit
   use contact_elements
   implicit none
   private
   public :: bench, bench_outputs, bench_index, bench_open, bench_parameter, bench_set, bench_canary
   public :: bench_untouched, bench_evaluate, client_check, client_text, client_random, client_special
-  public :: client_same, client_contains, client_message, canary, dp, i4, i8
+  public :: client_same, client_near, client_contains, client_message, canary, dp, i4, i8
 
   integer, parameter :: dp = c_double, i4 = c_int32_t, i8 = c_int64_t
   integer, parameter, public :: room_nodes = 64, room_unknowns = 3*room_nodes, room_parameters = 64
@@ -55,6 +56,7 @@ contains
     logical, intent(in) :: pass
     character(len=*), intent(in) :: what
     print '(3a)', merge('PASS', 'FAIL', pass), ' ', what
+    flush (output_unit) ! a trap must not swallow what came before
     if (.not. pass) client_failures = client_failures + 1
   end subroutine client_check
 
@@ -91,6 +93,13 @@ contains
     logical :: same
     same = all(transfer(a, [0_i8]) == transfer(b, [0_i8]))
   end function client_same
+
+  ! Both arrays are equal to a tolerance relative to the largest entry of b.
+  pure function client_near(a, b, tolerance) result(near)
+    real(dp), intent(in) :: a(:), b(:), tolerance
+    logical :: near
+    near = maxval(abs(a - b)) <= tolerance*maxval(abs(b))
+  end function client_near
 
   pure function client_contains(text, word) result(contained)
     character(len=*), intent(in) :: text, word
@@ -255,7 +264,7 @@ contains
   end subroutine place
 
   ! The same by name for the elements with a known closed state: PointQuad4, InterpolatedQuad4, PointLine2,
-  ! PointPoint, PointCylinder. Failure is counted.
+  ! PointPoint, PointCylinder, PointCylinderDistance. Failure is counted.
   subroutine bench_open(b, name)
     type(bench), intent(inout), target :: b
     character(len=*), intent(in) :: name

@@ -55,7 +55,7 @@ double client_random(void);
 int bench_index(bench *b, int32_t index, int32_t nslave);
 
 /* The same by name for the elements with a known closed state: PointQuad4, InterpolatedQuad4, PointLine2,
- * PointPoint, PointCylinder. Failure is counted. */
+ * PointPoint, PointCylinder, PointCylinderDistance. Failure is counted. */
 int bench_open(bench *b, const char *name);
 
 /* Index of a named parameter, -1 when there is none; sets it. */

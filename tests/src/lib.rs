@@ -1,1 +1,19 @@
 //! Tests across the workspace; see README.md beside this crate for which test lives where.
+//!
+//! This library is what the tests share: building the C library, running compilers, and files that
+//! are committed and compared.
+#![forbid(unsafe_code)]
+
+pub mod abi;
+pub mod committed;
+pub mod compiler;
+pub mod header;
+pub mod library;
+pub mod process;
+
+use std::path::PathBuf;
+
+/// A path in the workspace.
+pub fn workspace(path: &str) -> PathBuf {
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join(path)
+}

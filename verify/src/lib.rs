@@ -2,10 +2,19 @@
 //!
 //! - [`oracle`]: residual and tangent of a contact pair from nothing but its declared geometry
 //!   and law, differentiated by dual and hyper-dual numbers;
-//! - [`configurations`]: reproducible random states and explicit edge cases to compare on.
+//! - [`configurations`]: reproducible random states and explicit edge cases to compare on;
+//! - [`subject`]: the elements under test, and which oracle pair each is;
+//! - [`interpret`]: the programs of an element, interpreted from their tables;
+//! - [`proof`]: what is compared; [`tolerance`]: how closely, and why;
+//! - [`certificate`]: the result, for people and machines.
 //!
-//! Nothing in these two modules shares a formula, a table or a helper with the code generator.
+//! The first two share no formula, table or helper with the code generator.
 #![forbid(unsafe_code)]
 
+
 pub mod configurations;
+pub mod interpret;
 pub mod oracle;
+pub mod proof;
+pub mod subject;
+pub mod tolerance;

@@ -77,7 +77,7 @@ pub unsafe fn evaluate(
 }
 
 /// Arguments with nothing in them.
-fn blank() -> Arguments {
+pub(super) fn blank() -> Arguments {
     Arguments {
         struct_size: size_of::<Arguments>() as u32,
         request: 0,

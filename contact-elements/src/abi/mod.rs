@@ -10,6 +10,7 @@ mod describe;
 mod evaluate;
 pub mod fortran;
 mod messages;
+mod safe;
 mod target;
 mod types;
 
@@ -22,6 +23,7 @@ pub use describe::{
 };
 pub use evaluate::element_evaluate;
 pub use messages::{argument_name, code_message, element_message, status_message};
+pub use safe::{Evaluation, Outcome, evaluate};
 pub use target::Target;
 pub use types::{ApiTable, Arguments, Batch, Info};
 

@@ -28,6 +28,18 @@ pub fn symbols(prefix: &str, elements: &[Element]) -> String {
     text
 }
 
+/// [`symbols`] as a header of its own, beside `contact_elements.h`.
+pub fn symbols_header(prefix: &str, elements: &[Element]) -> String {
+    let guard = format!("{}_SYMBOLS_H", prefix.to_uppercase());
+    let symbols = symbols(prefix, elements);
+    format!(
+        "/* Index and function of every element of the library `{prefix}`; rules: contact_elements.h. */\n\
+         #ifndef {guard}\n#define {guard}\n\n#include \"contact_elements.h\"\n\n\
+         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{symbols}\
+         #ifdef __cplusplus\n}}\n#endif\n#endif\n"
+    )
+}
+
 /// Fortran include file: the index of every element as a PARAMETER, fixed and free form alike.
 pub fn fortran_include(prefix: &str, elements: &[Element]) -> String {
     let upper = prefix.to_uppercase();
@@ -47,11 +59,12 @@ pub fn fortran_include(prefix: &str, elements: &[Element]) -> String {
 pub fn header(prefix: &str, elements: &[Element]) -> String {
     let guard = format!("{}_H", prefix.to_uppercase());
     let functions = functions(prefix);
+    let functions = functions.trim();
     let symbols = symbols(prefix, elements);
     format!(
         "/* Elements of the library `{prefix}`; types, units and rules: contact_elements.h. */\n\
-         #ifndef {guard}\n#define {guard}\n\n#include <contact_elements.h>\n\n\
-         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{functions}\n{symbols}\
+         #ifndef {guard}\n#define {guard}\n\n#include \"contact_elements.h\"\n\n\
+         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{functions}\n\n{symbols}\
          #ifdef __cplusplus\n}}\n#endif\n#endif\n"
     )
 }
@@ -63,7 +76,8 @@ fn functions(prefix: &str) -> String {
         .split_once("/* For hosts that dlopen")
         .unwrap_or((section, ""));
     let (_, after) = rest.split_once("} cte_api_table;\n").unwrap_or(("", rest));
-    let text = format!("{before}{after}");
+    let fortran = format!("{}_F77_", prefix.to_uppercase());
+    let text = format!("{before}{after}").replace("CTE_F77_", &fortran);
     let mut renamed = String::new();
     let mut rest = text.as_str();
     while let Some(at) = rest.find("cte_") {

@@ -1,1 +1,205 @@
-//! x
+//! Random states and edge cases on which elements are compared with the oracle.
+//!
+//! A [`Generator`] turns a template [`Pair`] into reproducible random [`Configuration`]s: state
+//! `index` of seed `seed` is always the same, whatever was generated before. The flow of one
+//! attempt: [`recipe`] draws the numbers of the pair, [`build`] sets the geometries so that the
+//! wanted status should hold, [`motion`] moves, turns and scales everything, and the oracle's own
+//! projection confirms status and conditioning; otherwise the attempt is repeated.
+//! [`edge_cases`] lists the states where elements tend to fail, with what must come out.
+
+pub mod build;
+pub mod edge_cases;
+pub mod flat;
+pub mod motion;
+pub mod random;
+pub mod recipe;
+
+use std::fmt;
+
+pub use random::Stream;
+pub use recipe::Freedom;
+
+use crate::oracle::OracleError;
+use crate::oracle::pair::Pair;
+use crate::oracle::solve::{self, PointReport, PointStatus, Start, State};
+
+/// The status a state is built for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Wanted {
+    /// One point: closed. Integrated: at least one point closed.
+    Closed,
+    /// One point: open. Integrated: at least one open, none closed.
+    Open,
+    /// One point: beyond an edge or end. Integrated: at least one point outside.
+    Outside,
+}
+
+/// A pair at a state.
+#[derive(Debug, Clone)]
+pub struct Configuration {
+    /// The pair with all its numbers.
+    pub pair: Pair,
+    /// X, all unknowns (length).
+    pub reference: Vec<f64>,
+    /// u, all unknowns (length).
+    pub displacement: Vec<f64>,
+    /// A start for each contact point's projection, near the solution but not on it.
+    pub start: Vec<[f64; 2]>,
+    /// Typical size (length): factor by which a problem of size one was scaled.
+    pub size: f64,
+    /// What the oracle finds at the contact points.
+    pub points: Vec<PointReport>,
+}
+
+impl Configuration {
+    /// The state, for the oracle.
+    pub fn state(&self) -> State<'_> {
+        State {
+            reference: &self.reference,
+            displacement: &self.displacement,
+            start: Start::Given(&self.start),
+        }
+    }
+
+    /// Current positions `X + u`, all unknowns.
+    pub fn positions(&self) -> Vec<f64> {
+        self.reference
+            .iter()
+            .zip(&self.displacement)
+            .map(|(x, u)| x + u)
+            .collect()
+    }
+}
+
+/// Why no state could be generated.
+#[derive(Debug, Clone, PartialEq)]
+pub enum GenerateError {
+    /// The template is inconsistent.
+    Template(OracleError),
+    /// The pair has no boundary, or no parameter, so nothing is ever outside.
+    NeverOutside,
+    /// No attempt gave the wanted status, well conditioned.
+    Exhausted {
+        /// Attempts made.
+        attempts: usize,
+    },
+}
+
+impl fmt::Display for GenerateError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Template(error) => write!(f, "{error}"),
+            Self::NeverOutside => write!(f, "the pair has no boundary"),
+            Self::Exhausted { attempts } => write!(f, "no suitable state in {attempts} attempts"),
+        }
+    }
+}
+
+impl std::error::Error for GenerateError {}
+
+/// Makes random states of one pair.
+#[derive(Debug, Clone)]
+pub struct Generator {
+    /// Geometries, gap and law; its numbers are replaced as far as `freedom` allows.
+    pub template: Pair,
+    /// Which numbers are drawn.
+    pub freedom: Freedom,
+    /// Seed of all states.
+    pub seed: u64,
+}
+
+/// Attempts per state.
+const ATTEMPTS: usize = 400;
+/// Least eigenvalue of `a⁻¹F` and largest cosine between tangents of an accepted state.
+const LEAST_EIGENVALUE: f64 = 0.1;
+const LARGEST_COSINE: f64 = 0.98;
+
+impl Generator {
+    /// A generator that draws everything.
+    pub fn new(template: Pair, seed: u64) -> Self {
+        Self {
+            template,
+            freedom: Freedom::ALL,
+            seed,
+        }
+    }
+
+    /// State number `index` with the wanted status.
+    pub fn generate(&self, wanted: Wanted, index: u64) -> Result<Configuration, GenerateError> {
+        self.template.validate().map_err(GenerateError::Template)?;
+        let bounded = self.template.region().bounds[..self.template.parameters()]
+            .iter()
+            .any(Option::is_some);
+        if wanted == Wanted::Outside && !bounded {
+            return Err(GenerateError::NeverOutside);
+        }
+        let mut stream = Stream::new(self.seed, index, wanted as u64);
+        for _ in 0..ATTEMPTS {
+            if let Some(configuration) = self.attempt(wanted, &mut stream) {
+                return Ok(configuration);
+            }
+        }
+        Err(GenerateError::Exhausted { attempts: ATTEMPTS })
+    }
+
+    fn attempt(&self, wanted: Wanted, stream: &mut Stream) -> Option<Configuration> {
+        let recipe = recipe::draw(&self.template, &self.freedom, wanted, stream);
+        let built = build::build(&recipe, wanted, stream)?;
+        let mut moved = motion::apply(&recipe, built, &self.freedom, stream);
+        moved.start = starts(&moved, stream)?;
+        moved.points = solve::reports(&moved.pair, &moved.state()).ok()?;
+        accepted(&moved.points, wanted).then_some(moved)
+    }
+}
+
+/// Starts near the solutions, which are searched.
+fn starts(configuration: &Configuration, stream: &mut Stream) -> Option<Vec<[f64; 2]>> {
+    let pair = &configuration.pair;
+    let search = State {
+        start: Start::Search,
+        ..configuration.state()
+    };
+    let found = solve::reports(pair, &search).ok()?;
+    let region = pair.region();
+    let near = |point: &PointReport, stream: &mut Stream| {
+        let mut z = [0.0; 2];
+        for i in 0..pair.parameters() {
+            z[i] = point.zeta[i] + 0.07 * region.extent(i) * stream.uniform(-1.0, 1.0);
+            if let Some([low, high]) = region.bounds[i] {
+                z[i] = z[i].clamp(low, high);
+            }
+        }
+        let sum = z[0] + z[1];
+        if region.triangle && sum > 1.0 {
+            z.map(|v| v / sum)
+        } else {
+            z
+        }
+    };
+    let starts: Vec<_> = found.iter().map(|point| near(point, stream)).collect();
+    starts
+        .iter()
+        .flatten()
+        .all(|v| v.is_finite())
+        .then_some(starts)
+}
+
+fn accepted(points: &[PointReport], wanted: Wanted) -> bool {
+    let sound = |point: &PointReport| match point.status {
+        PointStatus::Open | PointStatus::Closed => point.conditioning.is_some_and(|c| {
+            c.smallest_eigenvalue >= LEAST_EIGENVALUE && c.tangent_cosine <= LARGEST_COSINE
+        }),
+        PointStatus::Outside(_) => true,
+        PointStatus::Degenerate | PointStatus::NotConverged => false,
+    };
+    let any = |test: fn(&PointStatus) -> bool| points.iter().any(|point| test(&point.status));
+    points.iter().all(sound)
+        && match wanted {
+            Wanted::Closed => any(|s| *s == PointStatus::Closed),
+            Wanted::Open => any(|s| *s == PointStatus::Open) && !any(|s| *s == PointStatus::Closed),
+            Wanted::Outside => any(|s| matches!(s, PointStatus::Outside(_))),
+        }
+}
+
+#[cfg(test)]
+mod tests;

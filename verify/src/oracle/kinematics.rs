@@ -45,7 +45,7 @@ pub struct Frame<'a> {
     pub nodes: Nodes<f64>,
     /// Number of projected parameters.
     pub parameters: usize,
-    /// Typical size [length]: largest distance of a position from the local origin, largest
+    /// Typical size (length): largest distance of a position from the local origin, largest
     /// direction, `r0`.
     pub size: f64,
     row: [f64; MAX_NODES],

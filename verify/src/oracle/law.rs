@@ -20,7 +20,7 @@ pub enum Activity {
 ///
 /// Without an energy the oracle works from the force: `R = N dg`, `K = d(N dg)`.
 pub trait DeclaredLaw: Debug + Send + Sync {
-    /// Whether the law acts at the gap `g` [length].
+    /// Whether the law acts at the gap `g` (length).
     fn activity(&self, g: f64) -> Activity;
     /// Force `N(g)`, negative where it repels. Called where the law acts.
     fn force<D: DualNum<Primitive = f64> + Copy>(&self, g: D) -> D;
@@ -72,7 +72,7 @@ pub enum Law {
     Barrier {
         /// Force per length.
         kappa: f64,
-        /// d: gap at which the barrier begins [length].
+        /// d: gap at which the barrier begins (length).
         distance: f64,
     },
     /// Anything else.

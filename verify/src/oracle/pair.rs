@@ -109,7 +109,7 @@ pub struct Pair {
     pub gap: GapKind,
     /// +1 or -1: factor of the normal of a signed gap.
     pub orientation: f64,
-    /// Radii, offsets, thickness [length].
+    /// Radii, offsets, thickness (length).
     pub r0: f64,
     /// Normal law.
     pub law: Law,

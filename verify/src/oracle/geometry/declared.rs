@@ -58,13 +58,13 @@ pub trait DeclaredSurface: Debug + Send + Sync {
     fn region(&self) -> Region;
     /// Parameters from which random states and searches for a start are drawn.
     fn window(&self) -> [[f64; 2]; 2];
-    /// Position [length].
+    /// Position (length).
     fn point<D: Number>(&self, z: [D; 2]) -> [D; 3];
 }
 
 /// A rigid body given by a signed distance, positive outside, written once for all numbers.
 pub trait DeclaredDistance: Debug + Send + Sync {
-    /// Distance [length] of the point `x` in the body's own frame.
+    /// Distance (length) of the point `x` in the body's own frame.
     fn distance<D: Number>(&self, x: [D; 3]) -> D;
 }
 

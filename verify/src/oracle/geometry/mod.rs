@@ -11,3 +11,6 @@ pub use declared::{DeclaredDistance, DeclaredShape, DeclaredSurface};
 pub use interpolation::{Interpolation, MAX_NODES, Shape};
 pub use region::{Feature, Region};
 pub use rigid::{Placement, RigidDistance, RigidParametric};
+
+#[cfg(test)]
+mod tests;

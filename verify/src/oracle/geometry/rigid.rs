@@ -195,14 +195,14 @@ pub enum Placement {
     Identity,
     /// Anywhere in space.
     Spatial {
-        /// Origin [length].
+        /// Origin (length).
         origin: [f64; 3],
         /// Quaternion (w, x, y, z) of the rotation, of any length but zero.
         quaternion: [f64; 4],
     },
     /// Anywhere in the plane.
     Planar {
-        /// Origin [length].
+        /// Origin (length).
         origin: [f64; 2],
         /// Image (c, s) of the local x axis, of any length but zero.
         direction: [f64; 2],

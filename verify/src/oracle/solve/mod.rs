@@ -36,9 +36,9 @@ pub enum Start<'s> {
 /// nodes, then master nodes, components fastest.
 #[derive(Debug, Clone, Copy)]
 pub struct State<'s> {
-    /// X [length].
+    /// X (length).
     pub reference: &'s [f64],
-    /// u [length].
+    /// u (length).
     pub displacement: &'s [f64],
     /// Where the projections start.
     pub start: Start<'s>,
@@ -66,7 +66,7 @@ pub struct PointReport {
     pub status: PointStatus,
     /// Projected parameters, slave's first; on the boundary if outside; NaN if none were found.
     pub zeta: [f64; 2],
-    /// Gap [length]; if outside, distance to the boundary point minus `r0`; NaN if none.
+    /// Gap (length); if outside, distance to the boundary point minus `r0`; NaN if none.
     pub gap: f64,
     /// N, zero if not closed.
     pub force: f64,

@@ -1,0 +1,22 @@
+/* header.cpp - contact_elements.h is a C++ header too: compiled and used a little. */
+#include "contact_elements.h"
+
+#include <cstdio>
+
+int main()
+{
+  cte_info info = {};
+  cte_arguments arguments = {};
+  cte_api_table api = {};
+  int32_t index = -1;
+  info.struct_size = sizeof info;
+  arguments.struct_size = sizeof arguments;
+  api.struct_size = sizeof api;
+  const bool found = cte_element_find("PointQuad4", 10, &index) == CTE_SUCCESS;
+  const cte_element *element = cte_element_get(index);
+  const bool described = found && cte_element_info(element, 0, &info) == CTE_SUCCESS && info.dimension == 3;
+  const bool refused = cte_element_evaluate(element, &arguments) == CTE_ERROR_NULL;
+  const bool table = cte_api(CTE_VERSION_MAJOR, &api) == CTE_SUCCESS && api.version >= CTE_ABI_VERSION;
+  std::printf("%s header.cpp\n", described && refused && table ? "PASS" : "FAIL");
+  return described && refused && table ? 0 : 1;
+}

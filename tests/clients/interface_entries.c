@@ -1,0 +1,122 @@
+/* interface_entries.c - the same evaluation through cte_api_table and through the Fortran 77 entries. */
+#include "client_support.h"
+#include "interface_parts.h"
+
+#include <string.h>
+
+enum { N = 15, LDK = 20 };
+
+static bench b, reference;
+
+static int same_as_reference(void)
+{
+  return client_same(b.out.f, reference.out.f, N) && client_same(b.out.k, reference.out.k, N * N) &&
+         client_same(b.out.hist_new, reference.out.hist_new, b.info.history) &&
+         client_same(b.out.output, reference.out.output, CTE_OUTPUT_SIZE) &&
+         client_same(b.out.energy, reference.out.energy, 1);
+}
+
+/* Lookup and description through the table. */
+static int described(const cte_api_table *api, int32_t index)
+{
+  const char *name = NULL, *own = NULL;
+  int32_t found = -1, node[2] = {-1, -2}, kind[2] = {-1, -2}, bad = -1;
+  double history[ROOM_HISTORY];
+  cte_info info;
+  memset(&info, 0, sizeof info);
+  info.struct_size = sizeof info;
+  int pass = api->element_count() == cte_element_count() && api->element_get(index) == b.element &&
+             api->element_find("PointQuad4", 10, &found) == CTE_SUCCESS && found == index &&
+             api->element_info(b.element, 0, &info) == CTE_SUCCESS && memcmp(&info, &b.info, sizeof info) == 0;
+  pass = pass && api->element_unknown(b.element, 0, 7, &node[0], &kind[0]) == CTE_SUCCESS &&
+         cte_element_unknown(b.element, 0, 7, &node[1], &kind[1]) == CTE_SUCCESS && node[0] == node[1] &&
+         kind[0] == kind[1];
+  pass = pass && api->element_parameter(b.element, 1, &name, NULL, NULL, NULL, NULL) == CTE_SUCCESS &&
+         cte_element_parameter(b.element, 1, &own, NULL, NULL, NULL, NULL) == CTE_SUCCESS && name == own;
+  pass = pass &&
+         api->element_check_parameters(b.element, b.parameters, b.info.parameters, &bad) == CTE_SUCCESS &&
+         api->element_history_init(b.element, history) == CTE_SUCCESS;
+  return pass && api->element_batch_workspace(b.element, 0) == cte_element_batch_workspace(b.element, 0);
+}
+
+static void table(int32_t index)
+{
+  cte_api_table api;
+  char text[2][128];
+  memset(&api, 0, sizeof api);
+  api.struct_size = sizeof api;
+  if (!client_check(cte_api(CTE_VERSION_MAJOR, &api) == CTE_SUCCESS && api.version == cte_abi_version() &&
+                        api.struct_size == sizeof api,
+                    "cte_api"))
+    return;
+  client_check(described(&api, index), "table: lookup and description");
+  bench_canary(&b);
+  client_check(api.element_evaluate(b.element, &b.a) == CTE_SUCCESS && same_as_reference(), "table: evaluate");
+  b.a.f = NULL;
+  const int32_t code = api.element_evaluate(b.element, &b.a);
+  const int32_t length = api.element_message(b.element, &b.a, code, text[0], sizeof text[0]);
+  client_check(length == cte_element_message(b.element, &b.a, code, text[1], sizeof text[1]) &&
+                   length == (int32_t)strlen(text[0]) && strcmp(text[0], text[1]) == 0,
+               "table: message");
+  client_check(strcmp(api.code_message(code), cte_code_message(code)) == 0 &&
+                   strcmp(api.status_message(CTE_STATUS_LAW), cte_status_message(CTE_STATUS_LAW)) == 0 &&
+                   strcmp(api.argument_name(CTE_ARGUMENT_F), cte_argument_name(CTE_ARGUMENT_F)) == 0,
+               "table: texts");
+  client_check(api.element_evaluate_batch(NULL, 0, NULL) == CTE_ERROR_NULL &&
+                   api.csr_map(NULL, 0, 0, NULL, 0, NULL, NULL, NULL) == CTE_ERROR_NULL,
+               "table: batch and csr_map");
+}
+
+/* K comes column-major with a leading dimension. */
+static void evaluate_77(int32_t index)
+{
+  const int32_t request = CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY | CTE_OUTPUT | CTE_ENERGY;
+  const int32_t nnode = 5, nslave = 0, ldk = LDK;
+  int32_t status = -1, code = -1;
+  static double k[LDK * N];
+  int pass;
+  bench_canary(&b);
+  cte_f77_evaluate_(&index, &request, &nnode, &nslave, b.x, b.u, b.parameters, &b.info.parameters, b.hist_old,
+                    b.out.hist_new, b.row, b.out.f, k, &ldk, b.out.output, b.out.energy, &status, &code);
+  pass = code == CTE_SUCCESS && status == CTE_STATUS_CLOSED;
+  for (int i = 0; i < N; i++)
+    for (int j = 0; j < N; j++)
+      b.out.k[i * N + j] = k[i + j * LDK];
+  client_check(pass && same_as_reference(), "F77 evaluate");
+  const int32_t residual_only = CTE_RESIDUAL;
+  bench_canary(&b);
+  const double untouched = b.out.k[0];
+  cte_f77_evaluate_(&index, &residual_only, &nnode, &nslave, b.x, b.u, b.parameters, &b.info.parameters,
+                    b.hist_old, b.out.hist_new, b.row, b.out.f, b.out.k, &ldk, b.out.output, b.out.energy, &status,
+                    &code);
+  client_check(code == CTE_SUCCESS && client_same(b.out.f, reference.out.f, N) &&
+                   client_same(b.out.k, &untouched, 1) && client_same(b.out.hist_new, &untouched, 1) &&
+                   client_same(b.out.output, &untouched, 1) && client_same(b.out.energy, &untouched, 1),
+               "F77 residual alone touches nothing else");
+}
+
+static void others_77(int32_t index)
+{
+  const int32_t nnode = 0;
+  const int32_t expected[8] = {b.info.dimension, b.info.nodes_minimum, b.info.unknowns,  b.info.parameters,
+                               b.info.history,   b.info.points,        b.info.projected, b.info.symmetric};
+  int32_t sizes[8] = {0}, code = -1;
+  double history[ROOM_HISTORY];
+  cte_f77_info_(&index, &nnode, sizes);
+  client_check(memcmp(sizes, expected, sizeof sizes) == 0, "F77 info");
+  memset(history, 0x5a, sizeof history);
+  cte_f77_history_init_(&index, history, &code);
+  client_check(code == CTE_SUCCESS && client_same(history, b.hist_old, b.info.history), "F77 history_init");
+}
+
+void interface_entries(void)
+{
+  int32_t index = -1;
+  if (!bench_open(&reference, "PointQuad4") || !bench_open(&b, "PointQuad4"))
+    return;
+  cte_element_find("PointQuad4", 10, &index);
+  bench_evaluate(&reference);
+  table(index);
+  evaluate_77(index);
+  others_77(index);
+}

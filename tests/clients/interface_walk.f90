@@ -1,0 +1,190 @@
+! interface_walk.f90 - every element of the library: description, unknowns, parameters, lookup, evaluation.
+module interface_walk
+  use, intrinsic :: iso_c_binding, only: c_associated, c_loc, c_ptr
+  use contact_elements
+  use client_support
+  implicit none
+  private
+  public :: interface_walk_run
+
+  integer, parameter :: nslave = 3, states = 6
+  integer(i4), parameter :: all_requests = CTE_RESIDUAL + CTE_TANGENT + CTE_HISTORY + CTE_OUTPUT + CTE_ENERGY &
+    + CTE_FREEZE_STATE + CTE_SYMMETRISE + CTE_PROJECTION_GIVEN
+  type(bench), save, target :: b, alone
+
+contains
+
+  ! The numbers of the description agree with each other.
+  function description_sound(info) result(pass)
+    type(cte_info), intent(in) :: info
+    logical :: pass, interpolated
+    integer :: nodes
+    interpolated = info%slave_nodes == 0
+    nodes = merge(nslave, int(info%slave_nodes), interpolated) + info%master_nodes
+    pass = any(info%dimension == [2, 3]) .and. info%unknowns == nodes*info%dimension .and. info%nodes_minimum &
+      == merge(1_i4, info%slave_nodes, interpolated) + info%master_nodes
+    pass = pass .and. info%nodes_maximum == merge(0_i4, info%nodes_minimum, interpolated) &
+      .and. info%points >= 1 .and. info%projected >= 0 .and. info%projected <= 2 &
+      .and. info%history == info%points*(1 + info%projected)
+    pass = pass .and. iand(info%requests, CTE_RESIDUAL) /= 0 .and. iand(info%requests, not(all_requests)) == 0 &
+      .and. any(info%symmetric == [0, 1]) .and. info%operations > 0 .and. info%workspace >= 0
+    pass = pass .and. info%formulation /= 0 .and. len(cte_string(info%name)) > 0 &
+      .and. c_associated(info%documentation)
+  end function description_sound
+
+  ! Every unknown has a place of its own, and a kind that its dimension knows.
+  function unknowns_sound() result(pass)
+    logical :: pass
+    integer(i4) :: node, kind, i
+    logical :: seen(0:room_nodes - 1, CTE_UNKNOWN_UX:CTE_UNKNOWN_TZ)
+    seen = .false.
+    do i = 0, b%info%unknowns - 1
+      pass = cte_element_unknown(b%element, b%a%nnode, i, node, kind) == CTE_SUCCESS
+      pass = pass .and. node == i/b%info%dimension .and. kind >= CTE_UNKNOWN_UX .and. kind <= CTE_UNKNOWN_TZ &
+        .and. (b%info%dimension == 3 .or. all(kind /= [CTE_UNKNOWN_UZ, CTE_UNKNOWN_TZ]))
+      if (pass) pass = .not. seen(node, kind)
+      if (.not. pass) return
+      seen(node, kind) = .true.
+    end do
+    pass = cte_element_unknown(b%element, b%a%nnode, b%info%unknowns, node, kind) == CTE_ERROR_INDEX
+  end function unknowns_sound
+
+  ! Names, units and ranges; the plain values of the bench lie inside them.
+  function parameters_sound() result(pass)
+    logical :: pass
+    type(c_ptr) :: name, unit
+    real(dp) :: lower, upper
+    integer(i4) :: i, closed, bad
+    do i = 0, b%info%parameters - 1
+      lower = 1
+      upper = 0
+      closed = -1
+      pass = cte_element_parameter(b%element, i, name, unit, lower, upper, closed) == CTE_SUCCESS
+      if (pass) pass = len(cte_string(name)) > 0 .and. len(cte_string(unit)) > 0 .and. lower < upper &
+        .and. iand(closed, not(3_i4)) == 0
+      if (pass) pass = bench_parameter(b, cte_string(name)) == i
+      if (.not. pass) return
+    end do
+    pass = cte_element_check_parameters(b%element, b%parameters, b%info%parameters, bad) == CTE_SUCCESS
+  end function parameters_sound
+
+  ! By name, with blanks behind it, cut by its length.
+  function lookup_sound(element_index) result(pass)
+    integer(i4), intent(in) :: element_index
+    logical :: pass
+    character(len=200) :: padded
+    integer(i4) :: found
+    padded = cte_string(b%info%name)
+    found = -1
+    pass = cte_element_find(padded, len(padded), found) == CTE_SUCCESS
+    pass = pass .and. found == element_index
+    found = -1
+    if (pass) pass = cte_element_find(padded, len_trim(padded), found) == CTE_SUCCESS
+    pass = pass .and. found == element_index
+    if (pass) pass = c_associated(cte_element_get(element_index), b%element)
+  end function lookup_sound
+
+  ! Initial history: open, at the centre.
+  function history_sound() result(pass)
+    logical :: pass
+    pass = all(nint(b%hist_old(1:b%info%history:1 + b%info%projected)) == CTE_STATUS_OPEN)
+  end function history_sound
+
+  ! Outputs full of signalling NaN: they are written, never read.
+  subroutine poison(any_bench)
+    type(bench), intent(inout) :: any_bench
+    integer :: i
+    call client_special(2, any_bench%out%energy(1))
+    do i = 1, size(any_bench%out%f)
+      call client_special(2, any_bench%out%f(i))
+    end do
+    do i = 1, size(any_bench%out%k)
+      call client_special(2, any_bench%out%k(i))
+    end do
+    do i = 1, size(any_bench%out%hist_new)
+      call client_special(2, any_bench%out%hist_new(i))
+    end do
+    do i = 1, size(any_bench%out%output)
+      call client_special(2, any_bench%out%output(i))
+    end do
+  end subroutine poison
+
+  ! The same state with one request bit; the struct with the outputs is the copy's own.
+  function evaluate_alone(request) result(code)
+    integer(i4), intent(in) :: request
+    integer(i4) :: code
+    alone%element = b%element
+    alone%info = b%info
+    alone%a = b%a
+    alone%a%request = request
+    alone%a%f = c_loc(alone%out%f)
+    alone%a%k = c_loc(alone%out%k)
+    call poison(alone)
+    code = bench_evaluate(alone)
+  end function evaluate_alone
+
+  ! Residual alone: the bits of the joint call. Tangent alone: the same to rounding. Random nodes.
+  function evaluation_sound() result(pass)
+    logical :: pass
+    integer(i4) :: code
+    integer :: state, i, n
+    n = b%info%unknowns
+    do state = 1, states
+      do i = 1, n
+        call client_random(b%x(i))
+      end do
+      call poison(b)
+      code = bench_evaluate(b)
+      pass = any(code == [CTE_SUCCESS, CTE_CUT_BACK])
+      if (pass) pass = evaluate_alone(CTE_RESIDUAL) == code
+      pass = pass .and. alone%a%status == b%a%status
+      if (pass .and. code == CTE_SUCCESS) pass = client_same(alone%out%f(:n), b%out%f(:n))
+      if (.not. pass) return
+      if (iand(b%info%requests, CTE_TANGENT) == 0) cycle
+      pass = evaluate_alone(CTE_TANGENT) == code
+      if (pass .and. code == CTE_SUCCESS) pass = client_near(alone%out%k(:n*n), b%out%k(:n*n), 1e-13_dp)
+      if (.not. pass) return
+    end do
+  end function evaluation_sound
+
+  ! Bits that the element does not offer are refused.
+  function refusal_sound() result(pass)
+    logical :: pass
+    integer(i4) :: wanted
+    integer :: bit
+    pass = .true.
+    wanted = b%a%request
+    do bit = 0, 7
+      if (btest(b%info%requests, bit)) cycle
+      b%a%request = ibset(wanted, bit)
+      pass = bench_evaluate(b) == CTE_ERROR_REQUEST .and. pass
+      pass = pass .and. b%a%error_argument == CTE_ARGUMENT_REQUEST
+    end do
+  end function refusal_sound
+
+  subroutine check(pass, what)
+    logical, intent(in) :: pass
+    character(len=*), intent(in) :: what
+    call client_check(pass, cte_string(b%info%name)//': '//what)
+  end subroutine check
+
+  subroutine interface_walk_run()
+    integer(i4) :: i, count
+    count = cte_element_count()
+    call client_check(count > 0, 'there are elements')
+    do i = 0, count - 1
+      if (.not. bench_index(b, i, nslave)) then
+        call client_check(.false., client_text('layout of element', int(i, i8)))
+        cycle
+      end if
+      call check(description_sound(b%info), 'description')
+      call check(unknowns_sound(), 'unknowns')
+      call check(parameters_sound(), 'parameters')
+      call check(lookup_sound(i), 'lookup by name')
+      call check(history_sound(), 'initial history')
+      call check(evaluation_sound(), 'residual alone, tangent alone, both')
+      call check(refusal_sound(), 'bits not offered')
+    end do
+  end subroutine interface_walk_run
+
+end module interface_walk

@@ -1,0 +1,118 @@
+//! The C library as a host sees it: a directory with the shared object, its links and the archive.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+use crate::process::succeed;
+use crate::workspace;
+
+/// A built C library in a temporary directory.
+pub struct Library {
+    directory: TempDir,
+    name: String,
+}
+
+impl Library {
+    /// `cargo build --release -p contact-elements-capi`.
+    pub fn contact_elements() -> Self {
+        let mut command = cargo();
+        command.args(["-p", "contact-elements-capi"]);
+        Self::build(&mut command, "contact_elements")
+    }
+
+    /// The same with full debug information, which `abidw` needs, in a target directory of its own.
+    pub fn with_debug_information(target: &Path) -> Self {
+        let mut command = cargo();
+        command
+            .args(["-p", "contact-elements-capi"])
+            .env("CARGO_PROFILE_RELEASE_DEBUG", "full")
+            .env("CARGO_TARGET_DIR", target);
+        Self::build(&mut command, "contact_elements")
+    }
+
+    /// The library of a crate outside the workspace.
+    pub fn of_crate(manifest: &Path, target: &Path, name: &str) -> Self {
+        let mut command = cargo();
+        command
+            .arg("--manifest-path")
+            .arg(manifest)
+            .env("CARGO_TARGET_DIR", target);
+        Self::build(&mut command, name)
+    }
+
+    /// Runs the build and puts `lib{name}` where a linker and a loader find it.
+    fn build(command: &mut Command, name: &str) -> Self {
+        let messages = succeed(command.arg("--message-format=json-render-diagnostics"));
+        let directory = TempDir::new().expect("a temporary directory");
+        let library = Library {
+            directory,
+            name: name.to_string(),
+        };
+        let built = artefacts(&messages);
+        for wanted in [format!("lib{name}.so"), format!("lib{name}.a")] {
+            let from = built
+                .iter()
+                .find(|path| path.ends_with(&wanted))
+                .unwrap_or_else(|| panic!("{wanted} was not built:\n{messages}"));
+            std::fs::copy(from, library.path().join(&wanted)).expect("a copy of the library");
+        }
+        library.link_soname();
+        library
+    }
+
+    /// The loader looks for the SONAME, the linker for the plain name.
+    fn link_soname(&self) {
+        let plain = format!("lib{}.so", self.name);
+        let versioned = self.path().join(format!("{plain}.1"));
+        std::os::unix::fs::symlink(plain, versioned).expect("a symbolic link");
+    }
+
+    /// The directory; other files of the test may be put there.
+    pub fn path(&self) -> &Path {
+        self.directory.path()
+    }
+
+    /// The shared object.
+    pub fn shared(&self) -> PathBuf {
+        self.path().join(format!("lib{}.so", self.name))
+    }
+
+    /// The archive.
+    pub fn archive(&self) -> PathBuf {
+        self.path().join(format!("lib{}.a", self.name))
+    }
+
+    /// What a linker is told to use the shared object where it stands.
+    pub fn link(&self) -> Vec<String> {
+        let directory = self.path().display();
+        vec![
+            format!("-L{directory}"),
+            format!("-l{}", self.name),
+            format!("-Wl,-rpath,{directory}"),
+        ]
+    }
+}
+
+/// The cargo that runs the tests, building the release profile in the workspace.
+fn cargo() -> Command {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command
+        .args(["build", "--release"])
+        .current_dir(workspace(""));
+    command
+}
+
+/// Files of all artefacts in the messages of cargo.
+fn artefacts(messages: &str) -> Vec<PathBuf> {
+    let list = |message: Value| message["filenames"].as_array().cloned().unwrap_or_default();
+    messages
+        .lines()
+        .filter_map(|line| serde_json::from_str::<Value>(line).ok())
+        .flat_map(list)
+        .filter_map(|name| name.as_str().map(PathBuf::from))
+        .collect()
+}

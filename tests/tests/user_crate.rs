@@ -1,0 +1,57 @@
+//! A user's own crate (`tests/user-crate`): built as its user would, used from C.
+
+use std::path::Path;
+use std::process::Command;
+
+use contact_generator::header::C_HEADER;
+use contact_tests::compiler;
+use contact_tests::library::Library;
+use contact_tests::process::succeed;
+use contact_tests::workspace;
+
+/// Libraries that the archive of a crate with the standard library asks for.
+const STANDARD: [&str; 6] = ["-lgcc_s", "-lutil", "-lrt", "-lpthread", "-lm", "-ldl"];
+
+#[test]
+fn declared_once_used_from_c() {
+    let directory = workspace("tests/user-crate");
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user-crate");
+    let library = Library::of_crate(&directory.join("Cargo.toml"), &target, "rail");
+    let include = directory.join("include");
+    assert_eq!(read(&include.join("contact_elements.h")), C_HEADER);
+    assert!(read(&include.join("rail.inc")).contains("PARAMETER (RAIL_POINT_QUAD8 = 0)"));
+
+    let archive = library.archive().display().to_string();
+    let links = [
+        library.link(),
+        [archive.as_str()]
+            .iter()
+            .chain(&STANDARD)
+            .map(ToString::to_string)
+            .collect(),
+    ];
+    for link in links {
+        let executable = library.path().join("client");
+        succeed(
+            strict_c(&include)
+                .arg(directory.join("client.c"))
+                .args(link)
+                .args(["-lm", "-o"])
+                .arg(&executable),
+        );
+        let printed = succeed(&mut Command::new(&executable));
+        assert!(printed.contains("all passed"), "{printed}");
+        println!("{printed}");
+    }
+}
+
+/// Only the headers of the crate are in reach.
+fn strict_c(include: &Path) -> Command {
+    let mut command = compiler::bare_c();
+    command.arg("-I").arg(include);
+    command
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}

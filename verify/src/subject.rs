@@ -1,0 +1,456 @@
+//! The elements under test: which oracle pair each is, and how to call it.
+
+use contact_elements::abi::{self, Evaluation, OUTPUT_SIZE, Outcome};
+use contact_elements::program::{ElementDescription, MasterDescription, SlaveDescription};
+
+use crate::oracle::geometry::{
+    DeclaredSurface, Interpolation, Placement, Region, RigidDistance, RigidParametric, Shape,
+};
+use crate::oracle::law::Law;
+use crate::oracle::number::Number;
+use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Row, Slave};
+
+/// An element under test.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// What was declared.
+    pub description: &'static ElementDescription,
+    /// The same pair for the oracle; random states replace its numbers.
+    pub template: Pair,
+}
+
+/// A name in a declaration that the oracle does not know.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownName(pub String);
+
+impl std::fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "the oracle does not know `{}`: add it to the catalogue or give a template",
+            self.0
+        )
+    }
+}
+
+/// Every built-in element.
+pub fn built_in() -> Result<Vec<Subject>, UnknownName> {
+    contact_elements::elements::DESCRIPTIONS
+        .iter()
+        .map(|description| Subject::new(description))
+        .collect()
+}
+
+/// A circle run through clockwise, so that its left normal points outward.
+#[derive(Debug)]
+struct ClockwiseCircle {
+    radius: f64,
+}
+
+impl DeclaredSurface for ClockwiseCircle {
+    fn parameters(&self) -> usize {
+        1
+    }
+    fn region(&self) -> Region {
+        Region::FREE
+    }
+    fn window(&self) -> [[f64; 2]; 2] {
+        [[-3.0, 3.0], [0.0, 0.0]]
+    }
+    fn point<D: Number>(&self, z: [D; 2]) -> [D; 3] {
+        let position = -z[0];
+        [
+            position.cos() * self.radius,
+            position.sin() * self.radius,
+            D::from(0.0),
+        ]
+    }
+}
+
+/// Radius of the clockwise circle, which random states do not change.
+const CIRCLE_RADIUS: f64 = 0.9;
+/// Slave row and weight of interpolated elements.
+const ROW: [f64; 4] = [0.125, 0.5, 0.625, -0.25];
+const ROW_WEIGHT: f64 = 0.75;
+
+impl Subject {
+    /// The subject of a built-in element.
+    ///
+    /// # Errors
+    /// [`UnknownName`] where the oracle knows a geometry or law of the declaration by no name.
+    pub fn new(description: &'static ElementDescription) -> Result<Self, UnknownName> {
+        let dimension = description.descriptor.dimension;
+        let template = Pair {
+            dimension,
+            slave: slave(description)?,
+            master: master(description)?,
+            gap: if description.signed {
+                GapKind::Signed
+            } else {
+                GapKind::Distance
+            },
+            orientation: 1.0,
+            r0: 0.0,
+            law: law(description.law.name)?,
+        };
+        Ok(Self {
+            description,
+            template,
+        })
+    }
+
+    /// Name of the element.
+    pub fn name(&self) -> &'static str {
+        self.description.name
+    }
+
+    /// The element's parameter list for a pair's numbers.
+    pub fn parameters(&self, pair: &Pair) -> Vec<f64> {
+        let mut list = law_parameters(&pair.law);
+        list.push(pair.r0);
+        if self.description.signed {
+            list.push(pair.orientation);
+        }
+        list.extend(rigid_parameters(&pair.master));
+        if let Master::Shape(geometry) = &pair.master {
+            list.extend(geometry.weights.iter().flatten());
+        }
+        if let Slave::Curve(geometry) | Slave::Fixed { geometry, .. } = &pair.slave {
+            list.extend(geometry.weights.iter().flatten());
+        }
+        if let (SlaveDescription::Given(_), Slave::Fixed { geometry, points, .. }) =
+            (&self.description.slave, &pair.slave)
+        {
+            for point in points {
+                list.extend(point.eta.iter().take(geometry.shape.parameters()));
+                list.push(point.weight);
+            }
+        }
+        if self.description.placed {
+            list.extend(placement_parameters(&pair.placement(), pair.dimension));
+        }
+        list
+    }
+
+    /// Row and weight of an interpolated slave; empty otherwise.
+    pub fn slave_row(&self, pair: &Pair) -> Vec<f64> {
+        match (&self.description.slave, &pair.slave) {
+            (SlaveDescription::Interpolated, Slave::Rows { rows, .. }) => rows
+                .iter()
+                .flat_map(|row| row.shape.iter().copied().chain([row.weight]))
+                .collect(),
+            _ => vec![],
+        }
+    }
+
+    /// Projected parameters of the oracle's start as the element's history.
+    pub fn history(&self, start: &[[f64; 2]]) -> Vec<f64> {
+        let descriptor = self.description.descriptor;
+        (0..descriptor.points)
+            .flat_map(|q| {
+                let start = start.get(q).or(start.first()).copied().unwrap_or([0.0; 2]);
+                let zeta = start.into_iter().take(descriptor.projected);
+                std::iter::once(0.0).chain(zeta).collect::<Vec<f64>>()
+            })
+            .collect()
+    }
+
+    /// Calls the element through the C interface.
+    pub fn call(&self, input: &Input<'_>, wanted: Wanted) -> Answer {
+        let descriptor = self.description.descriptor;
+        let unknowns = input.reference.len();
+        let tangent = if wanted.tangent && descriptor.tangent {
+            unknowns * unknowns
+        } else {
+            0
+        };
+        let nodes = unknowns / descriptor.dimension;
+        let mut answer = Answer {
+            residual: vec![UNTOUCHED; unknowns],
+            tangent: vec![UNTOUCHED; tangent],
+            output: vec![UNTOUCHED; descriptor.points * OUTPUT_SIZE],
+            energy: vec![UNTOUCHED; usize::from(descriptor.energy)],
+            outcome: None,
+        };
+        let mut workspace = vec![0.0; descriptor.workspace(nodes)];
+        let outcome = abi::evaluate(
+            descriptor,
+            &mut Evaluation {
+                x: input.reference,
+                u: input.displacement,
+                parameters: input.parameters,
+                history: input.history,
+                slave_row: input.slave_row,
+                residual: if wanted.residual {
+                    &mut answer.residual
+                } else {
+                    &mut []
+                },
+                tangent: &mut answer.tangent,
+                output: &mut answer.output,
+                new_history: &mut [],
+                energy: &mut answer.energy,
+                workspace: &mut workspace,
+                bits: wanted.bits,
+            },
+        );
+        answer.outcome = Some(outcome);
+        answer
+    }
+}
+
+/// What an entry holds that the element did not write.
+pub const UNTOUCHED: f64 = -7.25e77;
+
+/// Inputs of a call.
+#[derive(Clone, Copy, Debug)]
+pub struct Input<'a> {
+    /// X.
+    pub reference: &'a [f64],
+    /// u.
+    pub displacement: &'a [f64],
+    /// Parameters.
+    pub parameters: &'a [f64],
+    /// History: start of the projection.
+    pub history: &'a [f64],
+    /// Row of an interpolated slave.
+    pub slave_row: &'a [f64],
+}
+
+/// Which outputs a call wants.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted {
+    /// Residual.
+    pub residual: bool,
+    /// Tangent.
+    pub tangent: bool,
+    /// Further request bits.
+    pub bits: u32,
+}
+
+impl Wanted {
+    /// Residual and tangent.
+    pub const BOTH: Self = Self {
+        residual: true,
+        tangent: true,
+        bits: 0,
+    };
+}
+
+/// Outputs of a call.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// R.
+    pub residual: Vec<f64>,
+    /// K, row-major; empty where not offered or not wanted.
+    pub tangent: Vec<f64>,
+    /// Output per contact point.
+    pub output: Vec<f64>,
+    /// Energy.
+    pub energy: Vec<f64>,
+    /// Codes.
+    pub outcome: Option<Outcome>,
+}
+
+impl Answer {
+    /// Status of the element.
+    pub fn status(&self) -> Option<contact_elements::runtime::Status> {
+        self.outcome.and_then(|outcome| outcome.status())
+    }
+
+    /// True where no output was written.
+    pub fn is_untouched(&self) -> bool {
+        let mut entries = self.residual.iter().chain(&self.tangent).chain(&self.energy);
+        entries.all(|&value| value == UNTOUCHED)
+    }
+
+    /// True where residual and tangent are exactly zero.
+    pub fn is_zero(&self) -> bool {
+        self.residual.iter().chain(&self.tangent).all(|&value| value == 0.0)
+    }
+}
+
+fn shape(name: &str) -> Result<Interpolation, UnknownName> {
+    let (shape, rational) = match name {
+        "Line2" => (Shape::Line2, false),
+        "Line3" => (Shape::Line3, false),
+        "Hermite" => (Shape::Hermite, false),
+        "BezierCurve2" => (Shape::BezierCurve(2), false),
+        "BezierCurve3" => (Shape::BezierCurve(3), false),
+        "RationalCurve2" => (Shape::BezierCurve(2), true),
+        "RationalCurve3" => (Shape::BezierCurve(3), true),
+        "Tri3" => (Shape::Tri3, false),
+        "Tri6" => (Shape::Tri6, false),
+        "Quad4" => (Shape::Quad4, false),
+        "Quad9" => (Shape::Quad9, false),
+        "BezierSurface2" => (Shape::BezierSurface(2), false),
+        "RationalSurface2" => (Shape::BezierSurface(2), true),
+        other => return Err(UnknownName(other.to_string())),
+    };
+    let weights = vec![1.0; shape.nodes()];
+    Ok(if rational {
+        Interpolation::rational(shape, weights)
+    } else {
+        Interpolation::new(shape)
+    })
+}
+
+fn slave(description: &ElementDescription) -> Result<Slave, UnknownName> {
+    Ok(match &description.slave {
+        SlaveDescription::Point => Slave::Point,
+        SlaveDescription::Projected(geometry) => Slave::Curve(shape(geometry.name)?),
+        SlaveDescription::Interpolated => Slave::Rows {
+            rows: vec![Row {
+                shape: ROW.to_vec(),
+                weight: ROW_WEIGHT,
+            }],
+            positions: vec![true; ROW.len()],
+        },
+        SlaveDescription::Given(geometry) => Slave::Fixed {
+            geometry: shape(geometry.name)?,
+            points: vec![IntegrationPoint {
+                eta: [0.25, 0.25],
+                weight: ROW_WEIGHT,
+            }],
+            measure: Measure::Unit,
+        },
+        SlaveDescription::Integrated(geometry, points) => Slave::Fixed {
+            geometry: shape(geometry.name)?,
+            points: points
+                .iter()
+                .map(|&(eta, weight)| IntegrationPoint { eta, weight })
+                .collect(),
+            measure: if description.current {
+                Measure::Current
+            } else {
+                Measure::Reference
+            },
+        },
+    })
+}
+
+fn master(description: &ElementDescription) -> Result<Master, UnknownName> {
+    let placement = match (description.placed, description.descriptor.dimension) {
+        (false, _) => Placement::Identity,
+        (true, 3) => Placement::Spatial {
+            origin: [0.0; 3],
+            quaternion: [1.0, 0.0, 0.0, 0.0],
+        },
+        (true, _) => Placement::Planar {
+            origin: [0.0; 2],
+            direction: [1.0, 0.0],
+        },
+    };
+    Ok(match &description.master {
+        MasterDescription::Point => Master::Point,
+        MasterDescription::Shape(geometry) => Master::Shape(shape(geometry.name)?),
+        MasterDescription::Rigid(geometry) => Master::Parametric {
+            surface: parametric(geometry.name)?,
+            placement,
+        },
+        MasterDescription::Distance(geometry) => Master::Distance {
+            body: distance(geometry.name)?,
+            placement,
+        },
+    })
+}
+
+fn parametric(name: &str) -> Result<RigidParametric, UnknownName> {
+    Ok(match name {
+        "Plane" => RigidParametric::Plane,
+        "Cylinder" => RigidParametric::Cylinder { radius: 1.0 },
+        "Sphere" => RigidParametric::Sphere { radius: 1.0 },
+        "Cone" => RigidParametric::Cone { alpha: 0.5 },
+        "Torus" => RigidParametric::Torus {
+            major: 1.0,
+            minor: 0.3,
+        },
+        "Circle" => RigidParametric::Circle { radius: 1.0 },
+        "Helix" => RigidParametric::Helix {
+            radius: 1.0,
+            pitch_over_2pi: 0.2,
+        },
+        "Circle2d" => RigidParametric::Declared(std::sync::Arc::new(ClockwiseCircle {
+            radius: CIRCLE_RADIUS,
+        })),
+        other => return Err(UnknownName(other.to_string())),
+    })
+}
+
+fn distance(name: &str) -> Result<RigidDistance, UnknownName> {
+    Ok(match name {
+        "PlaneDistance" => RigidDistance::Plane,
+        "CylinderDistance" => RigidDistance::Cylinder { radius: 1.0 },
+        "SphereDistance" => RigidDistance::Sphere { radius: 1.0 },
+        "ConeDistance" => RigidDistance::Cone { alpha: 0.5 },
+        "TorusDistance" => RigidDistance::Torus {
+            major: 1.0,
+            minor: 0.3,
+        },
+        "CircleDistance2d" => RigidDistance::Circle { radius: 1.0 },
+        other => return Err(UnknownName(other.to_string())),
+    })
+}
+
+fn law(name: &str) -> Result<Law, UnknownName> {
+    Ok(match name {
+        "Penalty" => Law::Penalty { eps_n: 1000.0 },
+        "PowerLaw" => Law::Power {
+            eps_n: 1000.0,
+            exponent: 1.5,
+        },
+        "LogBarrier" => Law::Barrier {
+            kappa: 10.0,
+            distance: 0.1,
+        },
+        other => return Err(UnknownName(other.to_string())),
+    })
+}
+
+fn law_parameters(law: &Law) -> Vec<f64> {
+    match *law {
+        Law::Penalty { eps_n } => vec![eps_n],
+        Law::Power { eps_n, exponent } => vec![eps_n, exponent],
+        Law::Barrier { kappa, distance } => vec![kappa, distance],
+        Law::Declared(_) => vec![],
+    }
+}
+
+fn rigid_parameters(master: &Master) -> Vec<f64> {
+    match master {
+        Master::Parametric { surface, .. } => match *surface {
+            RigidParametric::Cylinder { radius }
+            | RigidParametric::Sphere { radius }
+            | RigidParametric::Circle { radius } => vec![radius],
+            RigidParametric::Cone { alpha } => vec![alpha],
+            RigidParametric::Torus { major, minor } => vec![major, minor],
+            RigidParametric::Helix {
+                radius,
+                pitch_over_2pi,
+            } => vec![radius, pitch_over_2pi],
+            RigidParametric::Declared(_) => vec![CIRCLE_RADIUS],
+            RigidParametric::Line | RigidParametric::Plane => vec![],
+        },
+        Master::Distance { body, .. } => match *body {
+            RigidDistance::Circle { radius }
+            | RigidDistance::Cylinder { radius }
+            | RigidDistance::Sphere { radius } => vec![radius],
+            RigidDistance::Cone { alpha } => vec![alpha],
+            RigidDistance::Torus { major, minor } => vec![major, minor],
+            _ => vec![],
+        },
+        _ => vec![],
+    }
+}
+
+fn placement_parameters(placement: &Placement, dimension: usize) -> Vec<f64> {
+    match placement {
+        Placement::Identity => vec![0.0; if dimension == 3 { 7 } else { 4 }],
+        Placement::Spatial { origin, quaternion } => {
+            origin.iter().chain(quaternion).copied().collect()
+        }
+        Placement::Planar { origin, direction } => {
+            origin.iter().chain(direction).copied().collect()
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! How closely things must agree: the only table of tolerances, each with its reason.
+//!
+//! Errors are relative to the largest entry of the expected vector or matrix.
+
+/// Residual and tangent of random, well-conditioned states against the oracle. The states have gaps of at
+/// least 1e-3 of their size, so the gap alone carries about 2e-16·10³ of rounding.
+pub const RANDOM: f64 = 1e-12;
+
+/// Reference cases: this, or [`REFERENCE_SPREADS`] times what half an ulp of noise in the data does.
+pub const REFERENCE: f64 = 1e-13;
+/// See [`REFERENCE`].
+pub const REFERENCE_SPREADS: f64 = 8.0;
+
+/// The edge cases sit on boundaries and at tiny gaps of 1e-9 of the size: the gap keeps only about
+/// 2e-16·10⁹ relative digits; both sides carry that noise.
+pub const EDGE: f64 = 1e-6;
+
+/// Balance of force and moment, relative to the largest nodal force (times the size for the moment): a sum
+/// of at most 18 rounded terms.
+pub const BALANCE: f64 = 1e-12;
+
+/// Rigid motion: states moved by a random rotation and a shift of ten sizes; coordinates then carry ten
+/// times the rounding, gaps of 1e-3 another factor of 10³.
+pub const MOTION: f64 = 1e-10;
+
+/// Change of units by 1000: not a power of two, so every coordinate is rounded anew.
+pub const UNITS: f64 = 1e-11;
+
+/// K − Kᵀ of symmetric elements: the same products summed in another order.
+pub const SYMMETRY: f64 = 1e-13;
+
+/// Derivatives in the tables (shape rows to third order, law slopes, distance gradients) against duals of
+/// the declared values, relative to the largest entry of the row block.
+pub const DERIVATIVES: f64 = 1e-12;
+
+/// Slopes of the error of `tangent_plane` elements in L, fitted over L/4, L/2, L: 1 for D²g, 2 for the
+/// whole tangent with r0 = 0.
+pub const SLOPE: f64 = 0.1;
+
+/// A `tangent_plane` tangent that agrees this closely at L ≠ 0 means that the check sees nothing.
+pub const SLOPE_FLOOR: f64 = 1e-9;
+
+/// Largest error of `found` against `expected`, relative to the largest expected entry; anything that is
+/// not a number counts as infinite.
+pub fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
+    if found.len() != expected.len() {
+        return f64::INFINITY;
+    }
+    let top = expected.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let mut worst = 0.0_f64;
+    for (a, b) in found.iter().zip(expected) {
+        let difference = (a - b).abs();
+        if difference.is_nan() {
+            return f64::INFINITY;
+        }
+        worst = worst.max(difference);
+    }
+    if worst == 0.0 { 0.0 } else { worst / top }
+}

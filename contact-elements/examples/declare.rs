@@ -41,7 +41,7 @@ fn main() {
     }
     println!("operations of the point programs: {}", element.operations);
 
-    // The slave point 0.02 below a facet that bulges upwards by 0.05 at the middle of each side.
+    // The slave point below a facet whose sides bulge upwards by 0.05.
     let x: [f64; 27] = [
         0.1, -0.2, 0.05, // slave
         -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0, // corners

@@ -11,9 +11,6 @@
 !   Text         const char * arrives as type(c_ptr); cte_string makes a Fortran string of it.
 !   Null         an address that may be null is in a type, or in the procedures of cte_api_table; the
 !                interfaces below take their scalar outputs by reference.
-!   Names        Fortran does not tell upper from lower case, so two constants are named differently:
-!                CTE_ABI_VERSION is CTE_ABI_VERSION_COMPILED here (cte_abi_version() is the library's),
-!                CTE_ARGUMENT_NAME is CTE_ARGUMENT_ELEMENT_NAME (cte_argument_name() is the function).
 module contact_elements
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int32_t, c_int64_t, c_ptr, c_funptr, &
     c_null_ptr, c_null_funptr, c_null_char, c_associated, c_f_pointer

@@ -14,13 +14,16 @@
  * Rules
  *   Pure         no globals, allocation, I/O, threads or clock. Every function may be called from
  *                any number of threads; the same input gives the same bits.
- *   Memory       all memory is the caller's; nothing is kept after the return.
+ *   Memory       all memory is the caller's; nothing is kept after the return. Arrays are aligned for
+ *                their type and do not overlap, but for hist_old and hist_new, which may be one array.
  *   Traps        the floating-point environment is left alone and no invalid, divide-by-zero or
  *                overflow exception is raised on the way.
  *   Growth       every struct begins with its size as the caller compiled it; new fields come at the
  *                end; a zero field means its default. Zero a struct (memset or = {0}) before filling it.
  *   Returns      0 fine; > 0 recoverable (see CTE_CUT_BACK); < 0 the caller's fault. On anything but 0
- *                no array of the caller is written.
+ *                no array of the caller is written; a batch with CTE_CUT_BACK: see cte_batch.
+ *   Sizes        a call has at most 2^30 - 1 unknowns; counts and strides whose products exceed any memory
+ *                are refused. Layouts of structs are those of 64-bit pointers.
  */
 #ifndef CONTACT_ELEMENTS_H
 #define CONTACT_ELEMENTS_H
@@ -33,7 +36,8 @@ extern "C" {
 
 #define CTE_VERSION_MAJOR 1u
 #define CTE_VERSION_MINOR 0u
-#define CTE_ABI_VERSION ((CTE_VERSION_MAJOR << 16) | CTE_VERSION_MINOR)
+/* The version compiled against; cte_abi_version() is the library's. */
+#define CTE_ABI_VERSION_COMPILED ((CTE_VERSION_MAJOR << 16) | CTE_VERSION_MINOR)
 
 /* ------------------------------------------------------------------ return codes */
 #define CTE_SUCCESS 0
@@ -43,17 +47,20 @@ extern "C" {
 /* The caller's fault; `error_argument` and `error_index` of cte_arguments name the place. */
 #define CTE_ERROR_NULL (-1)        /* a required pointer is null */
 #define CTE_ERROR_STRUCT_SIZE (-2) /* struct_size is smaller than version 1.0 of the struct */
-#define CTE_ERROR_NODE_COUNT (-3)  /* nnode or nslave does not fit the element */
+#define CTE_ERROR_NODE_COUNT (-3)  /* nnode or nslave does not fit the element, or gives too many unknowns */
 #define CTE_ERROR_PARAMETER (-4)   /* too few parameters, or one outside its range */
 #define CTE_ERROR_REQUEST (-5)     /* an unknown bit, or one this element does not offer */
 #define CTE_ERROR_WORKSPACE (-6)   /* workspace is smaller than cte_info.workspace */
 #define CTE_ERROR_NOT_FINITE (-7)  /* NaN, infinity or a magnitude above 1e30 in an input */
-#define CTE_ERROR_INDEX (-8)       /* an index (element, node, map) out of range */
+#define CTE_ERROR_INDEX (-8)       /* an index (element, node, map) or number of contacts out of range */
 #define CTE_ERROR_NAME (-9)        /* no element of that name */
 #define CTE_ERROR_VERSION (-10)    /* the library's major version is another */
-#define CTE_ERROR_STRIDE (-11)     /* strides that would let entries overlap or are negative */
+#define CTE_ERROR_STRIDE (-11)     /* strides are negative, let entries overlap or exceed any memory */
 
-/* ------------------------------------------------------------------ arguments named by errors */
+/* ------------------------------------------------------------------ arguments named by errors
+ * error_index: the node for X and U (as counted in the call); the parameter for PARAMETERS; the bit number
+ * for REQUEST; the entry for HISTORY_OLD, SLAVE_ROW, UNKNOWN_MAP and CONNECTIVITY; 0 for the others. With
+ * CTE_CUT_BACK it is the contact point of cte_arguments, the contact of cte_batch. */
 #define CTE_ARGUMENT_NONE 0
 #define CTE_ARGUMENT_STRUCT_SIZE 1
 #define CTE_ARGUMENT_REQUEST 2
@@ -75,7 +82,7 @@ extern "C" {
 #define CTE_ARGUMENT_WORKSPACE 18
 #define CTE_ARGUMENT_ELEMENT 19
 #define CTE_ARGUMENT_INFO 20
-#define CTE_ARGUMENT_NAME 21
+#define CTE_ARGUMENT_ELEMENT_NAME 21
 #define CTE_ARGUMENT_BATCH 22
 #define CTE_ARGUMENT_CONNECTIVITY 23
 #define CTE_ARGUMENT_CSR 24
@@ -87,9 +94,10 @@ extern "C" {
 #define CTE_HISTORY 4u         /* write hist_new */
 #define CTE_OUTPUT 8u          /* write output */
 #define CTE_ENERGY 16u         /* write energy (elements whose law declares W) */
-#define CTE_FREEZE_STATE 32u   /* open or closed as hist_old says, whatever the gap (line search) */
+#define CTE_FREEZE_STATE 32u   /* status CLOSED in hist_old: closed, any other: open, whatever the gap (line
+                                * search); a projection outside stays outside. Needs hist_old. */
 #define CTE_SYMMETRISE 64u     /* write (K + K^T)/2 */
-#define CTE_PROJECTION_GIVEN 128u /* hist_old holds the projection itself: no iteration */
+#define CTE_PROJECTION_GIVEN 128u /* hist_old holds the projection itself: no iteration. Needs hist_old. */
 
 /* ------------------------------------------------------------------ status of a contact point
  * The element's status is the one of its worst point, in the order
@@ -99,8 +107,10 @@ extern "C" {
 #define CTE_STATUS_OUTSIDE 4        /* the projection lies beyond the master's edge or vertex: as open */
 #define CTE_STATUS_NOT_CONVERGED 5  /* the projection did not converge: CTE_CUT_BACK */
 #define CTE_STATUS_NOT_UNIQUE 6     /* the projection is not unique (focal surface, parallel tangents, axis): CTE_CUT_BACK */
-#define CTE_STATUS_DEGENERATE 7     /* zero area or length, or L = 0 in codimension 2 or 3: CTE_CUT_BACK */
-#define CTE_STATUS_LAW 8            /* the gap is outside the normal law's domain (barrier passed): CTE_CUT_BACK */
+#define CTE_STATUS_DEGENERATE 7     /* zero area or length, L = 0 in codimension 2 or 3, the axis or centre of a
+                                     * distance function, a gap that is no number: CTE_CUT_BACK */
+#define CTE_STATUS_LAW 8            /* the gap is outside the normal law's domain (barrier passed), or the law's
+                                     * values there are no numbers: CTE_CUT_BACK */
 
 /* ------------------------------------------------------------------ kinds of unknowns */
 #define CTE_UNKNOWN_UX 1      /* displacement x [length] */
@@ -119,8 +129,16 @@ extern "C" {
 #define CTE_OUTPUT_PROJECTION 4 /* two entries: projected parameters (slave curve first for curve to curve) */
 #define CTE_OUTPUT_NORMAL 6     /* three entries: unit normal */
 #define CTE_OUTPUT_ITERATIONS 9 /* Newton iterations of the projection */
-#define CTE_OUTPUT_FEATURE 10   /* outside: 1 + edge (0..3) or 5 + vertex (0..3); else 0 */
+#define CTE_OUTPUT_FEATURE 10   /* 0 inside, else what the projection lies beyond, see below */
 #define CTE_OUTPUT_SIZE 11
+/* CTE_OUTPUT_FEATURE
+ *   quadrilaterals   1 + edge: 0 between nodes 0 and 1 (eta low), 1 between 1 and 2, 2 between 2 and 3,
+ *                    3 between 3 and 0; 5 + vertex: corner 0..3, counter-clockwise in (xi, eta). Corner 0 is
+ *                    (low, low); corners are the first nodes, of 3 x 3 Bezier controls 0, 2, 8, 6.
+ *   triangles        1 + edge: 0 between 0 and 1, 1 between 1 and 2, 2 between 2 and 0; 5 + vertex 0..2.
+ *   curves           5 lower end, 6 upper end.
+ *   curve to curve   1, 2 lower, upper end of the slave; 3, 4 of the master; beyond both
+ *                    5 + slave end + 2 * master end (end 0 lower, 1 upper). */
 
 typedef struct cte_element cte_element; /* opaque, immutable, static */
 
@@ -152,7 +170,7 @@ typedef struct cte_arguments {
   uint32_t struct_size;    /* in: sizeof(cte_arguments) */
   uint32_t request;        /* CTE_RESIDUAL | ... */
   int32_t nnode;           /* nodes in this call; 0: the element's own number */
-  int32_t nslave;          /* interpolated slaves: number of slave nodes; else 0 */
+  int32_t nslave;          /* interpolated slaves: number of slave nodes; else 0 or the element's own number */
   int64_t element_id;      /* the host's number; not used */
   int32_t step;            /* not used */
   int32_t increment;       /* not used */
@@ -164,43 +182,51 @@ typedef struct cte_arguments {
   const double *u;         /* displacements at the end of the step, same shape; null: zero */
   const double *u_old;     /* at its start; null allowed; not used without friction */
   const double *v;         /* velocities; null allowed; not used */
-  int64_t x_node_stride;   /* doubles from node to node in x; 0: dimension */
+  int64_t x_node_stride;   /* doubles from node to node in x, at least dimension; 0: dimension */
   int64_t u_node_stride;   /* the same in u, u_old, v; 0: dimension */
   const double *parameters;
-  const double *hist_old;  /* accepted history; null: the projection starts from the centre */
+  const double *hist_old;  /* accepted history; null: the projection starts from the centre (CTE_ERROR_NULL
+                            * with CTE_FREEZE_STATE or CTE_PROJECTION_GIVEN) */
   double *hist_new;        /* trial history; may be the same array as hist_old */
   const double *slave_row; /* interpolated slaves: shape functions of the slave point [nslave], then its weight */
   double *f;               /* residual; entry i goes to f[unknown_map ? unknown_map[i] : i] */
   double *k;               /* tangent; entry (i,j) goes to k[row(i)*k_row_stride + row(j)*k_col_stride] */
-  int64_t k_row_stride;    /* 0 with k_col_stride 0: row-major, dense */
+  int64_t k_row_stride;    /* 0 with k_col_stride 0: row-major, dense: 1 + the largest host row */
   int64_t k_col_stride;
-  const int32_t *unknown_map; /* element unknown -> host row; null: identity */
+  const int32_t *unknown_map; /* element unknown -> host row, all different (not checked); null: identity */
   double f_scale;          /* f is multiplied by it; 0: 1 */
   double k_scale;          /* K is multiplied by it; 0: 1 */
   double *output;          /* [points][CTE_OUTPUT_SIZE] */
   double *energy;          /* [1] contact energy [force*length] */
-  double *workspace;       /* [cte_info.workspace]; null allowed where that is 0 */
-  int64_t workspace_size;  /* doubles in workspace */
+  double *workspace;       /* [cte_info.workspace]; null allowed where that is 0, else CTE_ERROR_NULL */
+  int64_t workspace_size;  /* doubles in workspace; too few: CTE_ERROR_WORKSPACE */
   double dt_ratio;         /* out: 1, or a wish for a smaller step (0.5) with CTE_CUT_BACK */
   int32_t status;          /* out: CTE_STATUS_* of the element */
   int32_t closed_points;   /* out: how many contact points are closed */
   int32_t error_argument;  /* out: CTE_ARGUMENT_* with a return other than 0 */
-  int32_t error_index;     /* out: entry, node or contact point within that argument */
+  int32_t error_index;     /* out: node, entry or contact point, see CTE_ARGUMENT_* */
   uint64_t reserved[8];
 } cte_arguments;
 
 /* ------------------------------------------------------------------ cte_batch: many contacts of one element
- * Array layout: entry (element e, node a, component c) of x stands at
+ * Array layout: entry (contact e, node a, component c) of x stands at
  * x[e*x_element_stride + a*x_node_stride + c*x_component_stride]; u likewise. Strides 0,0,0 mean
- * [element][node][component], dense. With `connectivity` the coordinates are gathered from global
- * arrays instead: node a of element e is node connectivity[e*nnode + a] of x and u.
- * Outputs: f and k per element (dense, f_element_stride, k_element_stride; 0: dense), and/or scattered:
- * global_f[unknown] += and csr_values[csr_map[e*unknowns^2 + i*unknowns + j]] += , see cte_csr_map.
- * The elements are evaluated one after the other in order, so sums are reproducible. */
+ * [element][node][component], dense; node and component stride 0,0 mean dense within a contact. Other
+ * zeros are CTE_ERROR_STRIDE. With `connectivity` the coordinates are gathered from global arrays instead:
+ * node a of contact e is node connectivity[e*nnode + a] of x and u; the element stride is not used.
+ * Outputs: f and k per contact (dense, f_element_stride, k_element_stride; 0: dense), and/or scattered:
+ * global_f[unknown] += and csr_values[csr_map[e*unknowns^2 + i*unknowns + j]] += , see cte_csr_map. Both
+ * need connectivity.
+ * The contacts are evaluated one after the other in order, so sums are reproducible, with the same bits as
+ * by cte_element_evaluate.
+ * A fault of one contact (values, parameters, state) fails that contact alone: its code says why
+ * (cte_code_message), its own slots of f, k, hist_new, output and energy are not written and nothing of it
+ * is added; the others are valid and the batch returns CTE_CUT_BACK. A fault of the batch (< 0: pointers,
+ * counts, strides, connectivity, workspace) leaves everything unwritten. n = 0 is fine, with any pointers. */
 typedef struct cte_batch {
   uint32_t struct_size;
   uint32_t request;
-  int32_t nslave;              /* interpolated slaves: slave nodes of every element */
+  int32_t nslave;              /* interpolated slaves: slave nodes of every contact; else 0 or the element's own */
   int32_t parameter_count;
   const double *x;
   const double *u;             /* null: zero */
@@ -209,14 +235,14 @@ typedef struct cte_batch {
   const int32_t *connectivity; /* [n][nnode], null: array layout */
   int64_t global_nodes;        /* with connectivity: nodes in x and u, for checking */
   const double *parameters;
-  int64_t parameter_element_stride; /* 0: one set for all */
+  int64_t parameter_element_stride; /* 0: one set for all; else at least parameter_count */
   const double *hist_old;      /* [n][history], null allowed */
   double *hist_new;            /* [n][history] */
   const double *slave_row;     /* [n][nslave + 1] */
   double *f;                   /* [n][unknowns], null allowed when global_f is given */
   double *k;                   /* [n][unknowns][unknowns] row-major, null allowed when csr_values is given */
-  int64_t f_element_stride;
-  int64_t k_element_stride;
+  int64_t f_element_stride;    /* at least unknowns; 0: unknowns */
+  int64_t k_element_stride;    /* at least unknowns^2; 0: unknowns^2 */
   double *global_f;            /* [global_nodes*dimension]: node*dimension + component; added to */
   double *csr_values;          /* the caller's CSR values; added to */
   const int64_t *csr_map;      /* [n][unknowns][unknowns], made once by cte_csr_map */
@@ -224,12 +250,12 @@ typedef struct cte_batch {
   double *output;              /* [n][points][CTE_OUTPUT_SIZE] */
   double *energy;              /* [n] */
   int32_t *status;             /* [n] required: CTE_STATUS_* */
-  int32_t *code;               /* [n] or null: return code of each element; the others stay valid */
-  double *workspace;           /* [cte_info.batch_workspace asked with cte_element_batch_workspace] */
+  int32_t *code;               /* [n] or null: return code of each contact */
+  double *workspace;           /* [cte_element_batch_workspace]; null allowed where that is 0 */
   int64_t workspace_size;
-  int64_t failed;              /* out: elements with a code other than 0 */
-  int32_t error_argument;      /* out: of the first failing element, or of the batch itself */
-  int32_t error_index;
+  int64_t failed;              /* out: contacts with a code other than 0 */
+  int32_t error_argument;      /* out: argument of the batch's fault, or of the first failing contact's */
+  int32_t error_index;         /* out: with CTE_CUT_BACK the first failing contact, else see CTE_ARGUMENT_* */
   uint64_t reserved[8];
 } cte_batch;
 
@@ -248,7 +274,8 @@ const cte_element *cte_element_get(int32_t index);
  * Returns 0, CTE_ERROR_NULL or CTE_ERROR_NAME. */
 int32_t cte_element_find(const char *name, int32_t length, int32_t *index);
 
-/* Describes an element. nnode: nodes of a call (matters for interpolated slaves; 0: the minimum). */
+/* Describes an element. nnode: nodes of a call (matters for interpolated slaves; 0: the minimum).
+ * CTE_ERROR_NODE_COUNT when it does not fit the element or gives too many unknowns. */
 int32_t cte_element_info(const cte_element *element, int32_t nnode, cte_info *info);
 
 /* Unknown `index` of a call with nnode nodes: its node and its kind (CTE_UNKNOWN_*). */
@@ -265,19 +292,22 @@ int32_t cte_element_check_parameters(const cte_element *element, const double *p
 /* Writes the initial history: per contact point [status, projected parameters], open, at the centre. */
 int32_t cte_element_history_init(const cte_element *element, double *history);
 
-/* Evaluates one element. The scalars at the end of *arguments (dt_ratio .. error_index) are always written. */
+/* Evaluates one element. The scalars at the end of *arguments (dt_ratio .. error_index) are written always
+ * but when arguments is null or its struct_size too small; a null element is CTE_ARGUMENT_ELEMENT. */
 int32_t cte_element_evaluate(const cte_element *element, cte_arguments *arguments);
 
-/* Doubles of workspace that a batch needs. */
+/* Doubles of workspace that a batch needs; CTE_ERROR_NULL or CTE_ERROR_NODE_COUNT. */
 int64_t cte_element_batch_workspace(const cte_element *element, int32_t nslave);
 
 /* Evaluates n contacts of one element. 0: all fine; CTE_CUT_BACK: some failed, see status and code; < 0:
- * nothing was written. */
+ * nothing was written but failed, error_argument and error_index (not even those when batch is null or its
+ * struct_size too small). n < 0, or too many for any memory: CTE_ERROR_INDEX. */
 int32_t cte_element_evaluate_batch(const cte_element *element, int64_t n, cte_batch *batch);
 
 /* Makes the scatter map of n elements once: position in the CSR values of every entry of every element
  * matrix. row_start [rows+1], column [row_start[rows]] sorted within each row, rows = global_nodes *
- * dimension. CTE_ERROR_INDEX when an entry is missing from the pattern. map: [n][unknowns][unknowns]. */
+ * dimension. CTE_ERROR_INDEX when an entry is missing from the pattern or n < 0, CTE_ERROR_NODE_COUNT for
+ * nslave: as in cte_batch. map: [n][unknowns][unknowns], written only when everything was found. */
 int32_t cte_csr_map(const cte_element *element, int64_t n, int32_t nslave, const int32_t *connectivity,
                     int64_t rows, const int64_t *row_start, const int32_t *column, int64_t *map);
 
@@ -291,7 +321,8 @@ const char *cte_status_message(int32_t status);
 const char *cte_argument_name(int32_t argument);
 
 /* Writes "argument `parameters`, entry 1 (eps_n): a parameter is outside its range ..." for the outcome of
- * the last evaluation with *arguments. Zero-terminated, cut to size. Returns the length needed. */
+ * the last evaluation with *arguments. Zero-terminated, cut to size. Returns the length needed. Element and
+ * arguments may be null. For a contact of a batch: cte_code_message(code[e]). */
 int32_t cte_element_message(const cte_element *element, const cte_arguments *arguments, int32_t code, char *text, int32_t size);
 
 /* For hosts that dlopen: the functions above in one table. */
@@ -321,14 +352,18 @@ int32_t cte_api(uint32_t major, cte_api_table *table);
 
 /* ------------------------------------------------------------------ Fortran 77
  * Everything by address, no CHARACTER arguments, symbols with one trailing underscore. `element` is the
- * element's index (contact_elements.inc gives each a PARAMETER), nodes etc. are INTEGER*4, reals REAL*8.
+ * element's index; contact_elements.inc has it and the request bits as PARAMETERs, and the order of the
+ * parameters. Integers are INTEGER*4, reals REAL*8.
  *
  *   CALL CTE_F77_EVALUATE(ELEMENT, REQUEST, NNODE, NSLAVE, X, U, PARAMS, NPARAMS, HISOLD, HISNEW,
  *  1                      SROW, F, K, LDK, OUT, ENERGY, STATUS, CODE)
  *   X(dim,NNODE), U(dim,NNODE), K(LDK,*) column-major. Arrays that the request does not need are not touched.
- *   For interpolated slaves up to 64 slave nodes; more need the module.
+ *   HISOLD must hold a history: of CTE_F77_HISTORY_INIT or of an earlier evaluation.
+ *   For interpolated slaves up to 64 slave nodes (more: CTE_ERROR_WORKSPACE); more need the module.
+ *   CODE is CTE_ERROR_INDEX for an index that no element has.
  *   CALL CTE_F77_INFO(ELEMENT, NNODE, ISIZES)  ISIZES(1..8) = dimension, nodes_minimum, unknowns,
- *                                              parameters, history, points, projected, symmetric
+ *                                              parameters, history, points, projected, symmetric;
+ *                                              all -1 for an index or NNODE that does not exist
  *   CALL CTE_F77_HISTORY_INIT(ELEMENT, HISTORY, CODE)
  */
 void cte_f77_evaluate_(const int32_t *element, const int32_t *request, const int32_t *nnode, const int32_t *nslave,

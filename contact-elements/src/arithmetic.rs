@@ -53,3 +53,17 @@ pub fn atan2(y: f64, x: f64) -> f64 {
 pub fn abs(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & !(1 << 63))
 }
+
+/// `x`, or ±1 where it is 0: what a guarded program divides by. On the bits, so that no optimisation
+/// makes a choice between two quotients of it.
+#[inline(always)]
+pub fn divisor(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() | (u64::from(x == 0.0) * 1.0f64.to_bits()))
+}
+
+/// `x`, or 0 where it is negative: what a guarded program takes the root of.
+#[inline(always)]
+pub fn radicand(x: f64) -> f64 {
+    let bits = x.to_bits();
+    f64::from_bits(bits & ((bits >> 63).wrapping_sub(1)))
+}

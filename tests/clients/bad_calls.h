@@ -3,6 +3,7 @@
 #define BAD_CALLS_H
 
 void bad_calls(void);   /* lookup, description, history, messages, table, Fortran 77 entries */
+void bad_states(void);  /* states without a normal or an area, sizes beyond any memory */
 void bad_batches(void); /* batches and their scatter map */
 
 #endif

@@ -350,6 +350,7 @@ int main(void)
   every_element();
   bad_calls();
   bad_batches();
+  bad_states();
   printf("%s bad_input, %d failures\n", client_failures ? "FAIL" : "PASS", client_failures);
   return client_failures ? 1 : 0;
 }

@@ -11,6 +11,7 @@ program bad_input
   use client_support
   use bad_calls, only: bad_calls_run
   use bad_batches, only: bad_batches_run
+  use bad_states, only: bad_states_run
   implicit none
   type(bench), save, target :: b
   call null_pointers()
@@ -26,6 +27,7 @@ program bad_input
   call every_element()
   call bad_calls_run()
   call bad_batches_run()
+  call bad_states_run()
   print '(2a,i0,a)', merge('PASS', 'FAIL', client_failures == 0), ' bad_input, ', client_failures, ' failures'
   if (client_failures /= 0) stop 1
 

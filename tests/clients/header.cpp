@@ -16,7 +16,7 @@ int main()
   const cte_element *element = cte_element_get(index);
   const bool described = found && cte_element_info(element, 0, &info) == CTE_SUCCESS && info.dimension == 3;
   const bool refused = cte_element_evaluate(element, &arguments) == CTE_ERROR_NULL;
-  const bool table = cte_api(CTE_VERSION_MAJOR, &api) == CTE_SUCCESS && api.version >= CTE_ABI_VERSION;
+  const bool table = cte_api(CTE_VERSION_MAJOR, &api) == CTE_SUCCESS && api.version >= CTE_ABI_VERSION_COMPILED;
   std::printf("%s header.cpp\n", described && refused && table ? "PASS" : "FAIL");
   return described && refused && table ? 0 : 1;
 }

@@ -63,7 +63,7 @@ static void arguments(void)
       CONSTANT(CTE_ARGUMENT_UNKNOWN_MAP, 14), CONSTANT(CTE_ARGUMENT_SCALE, 15),
       CONSTANT(CTE_ARGUMENT_OUTPUT, 16),      CONSTANT(CTE_ARGUMENT_ENERGY, 17),
       CONSTANT(CTE_ARGUMENT_WORKSPACE, 18),   CONSTANT(CTE_ARGUMENT_ELEMENT, 19),
-      CONSTANT(CTE_ARGUMENT_INFO, 20),        CONSTANT(CTE_ARGUMENT_NAME, 21),
+      CONSTANT(CTE_ARGUMENT_INFO, 20),        CONSTANT(CTE_ARGUMENT_ELEMENT_NAME, 21),
       CONSTANT(CTE_ARGUMENT_BATCH, 22),       CONSTANT(CTE_ARGUMENT_CONNECTIVITY, 23),
       CONSTANT(CTE_ARGUMENT_CSR, 24),         CONSTANT(CTE_ARGUMENT_STATUS, 25)};
   COMPARE("arguments", list);
@@ -99,12 +99,12 @@ static void others(void)
       CONSTANT(CTE_OUTPUT_WEIGHT, 3),     CONSTANT(CTE_OUTPUT_PROJECTION, 4), CONSTANT(CTE_OUTPUT_NORMAL, 6),
       CONSTANT(CTE_OUTPUT_ITERATIONS, 9), CONSTANT(CTE_OUTPUT_FEATURE, 10),   CONSTANT(CTE_OUTPUT_SIZE, 11)};
   static const constant versions[] = {CONSTANT(CTE_VERSION_MAJOR, 1), CONSTANT(CTE_VERSION_MINOR, 0),
-                                      CONSTANT(CTE_ABI_VERSION, 65536)};
+                                      CONSTANT(CTE_ABI_VERSION_COMPILED, 65536)};
   COMPARE("request bits", requests);
   COMPARE("kinds of unknowns", kinds);
   COMPARE("entries of the output", outputs);
   COMPARE("version numbers", versions);
-  client_check(cte_abi_version() >> 16 == CTE_VERSION_MAJOR && cte_abi_version() >= CTE_ABI_VERSION,
+  client_check(cte_abi_version() >> 16 == CTE_VERSION_MAJOR && cte_abi_version() >= CTE_ABI_VERSION_COMPILED,
                "the library is no older than the header");
 }
 

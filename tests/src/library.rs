@@ -6,7 +6,7 @@ use std::process::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::process::succeed;
+use crate::process::run;
 use crate::workspace;
 
 /// A built C library in a temporary directory.
@@ -23,12 +23,16 @@ impl Library {
         Self::build(&mut command, "contact_elements")
     }
 
-    /// The same with full debug information, which `abidw` needs, in a target directory of its own.
+    /// The same with what `abidw` needs: full debug information of the exported functions, in a target
+    /// directory of its own.
     pub fn with_debug_information(target: &Path) -> Self {
         let mut command = cargo();
         command
             .args(["-p", "contact-elements-capi"])
-            .env("CARGO_PROFILE_RELEASE_DEBUG", "full")
+            .args([
+                "--config",
+                "profile.release.package.contact-elements-capi.debug=2",
+            ])
             .env("CARGO_TARGET_DIR", target);
         Self::build(&mut command, "contact_elements")
     }
@@ -45,7 +49,10 @@ impl Library {
 
     /// Runs the build and puts `lib{name}` where a linker and a loader find it.
     fn build(command: &mut Command, name: &str) -> Self {
-        let messages = succeed(command.arg("--message-format=json-render-diagnostics"));
+        let output = run(command.arg("--message-format=json-render-diagnostics"));
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{command:?}:\n{stderr}");
+        let messages = String::from_utf8_lossy(&output.stdout);
         let directory = TempDir::new().expect("a temporary directory");
         let library = Library {
             directory,
@@ -56,7 +63,7 @@ impl Library {
             let from = built
                 .iter()
                 .find(|path| path.ends_with(&wanted))
-                .unwrap_or_else(|| panic!("{wanted} was not built:\n{messages}"));
+                .unwrap_or_else(|| panic!("{wanted} was not built:\n{stderr}"));
             std::fs::copy(from, library.path().join(&wanted)).expect("a copy of the library");
         }
         library.link_soname();

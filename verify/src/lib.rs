@@ -6,12 +6,13 @@
 //! - [`subject`]: the elements under test, and which oracle pair each is;
 //! - [`interpret`]: the programs of an element, interpreted from their tables;
 //! - [`proof`]: what is compared; [`tolerance`]: how closely, and why;
-//! - [`certificate`]: the result, for people and machines.
+//! - [`certify`]: all of it for a list of elements; [`certificate`]: the result, for people and machines.
 //!
 //! The first two share no formula, table or helper with the code generator.
 #![forbid(unsafe_code)]
 
-
+pub mod certificate;
+pub mod certify;
 pub mod configurations;
 pub mod interpret;
 pub mod oracle;

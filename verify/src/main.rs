@@ -1,19 +1,84 @@
-fn main() {
-    let n: u64 = std::env::args().nth(1).map_or(200, |a| a.parse().unwrap());
-    let filter = std::env::args().nth(2).unwrap_or_default();
-    use contact_verify::*;
-    use configurations::Wanted;
-    let subjects = subject::built_in().unwrap();
-    let t = proof::tables::prove(&subjects, 1);
-    println!("{t:?}");
-    for s in &subjects {
-        if !s.name().contains(&filter) { continue; }
-        for w in [Wanted::Closed, Wanted::Open, Wanted::Outside] {
-            let t0 = std::time::Instant::now();
-            if let Some(r) = proof::random::prove(s, w, n, 7) {
-                println!("{:30} {:?} R {:.1e} K {:.1e} W {:.1e} fail {} of {} {:?} {:?} {:.2}s", s.name(), w, r.residual.error, r.tangent.error, r.energy.error, r.finding.failed, r.finding.tried, r.statuses, r.features, t0.elapsed().as_secs_f64());
-                for f in r.finding.failures.iter().take(2) { println!("     {f}"); }
-            }
+//! Generates everything, proves it, prints the certificate and where the libraries and headers lie.
+#![forbid(unsafe_code)]
+
+mod build;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+use contact_verify::certify::{Extent, certify};
+use contact_verify::subject::{self, Subject};
+
+/// Generates the contact elements, builds the C library and proves every element.
+#[derive(Parser)]
+#[command(version)]
+struct Options {
+    /// Random states per element and status.
+    #[arg(long, default_value_t = 10_000)]
+    states: u64,
+    /// The long run: 100000 states per element and status.
+    #[arg(long)]
+    long: bool,
+    /// Seed of the random states.
+    #[arg(long, default_value_t = 20_150)]
+    seed: u64,
+    /// Only elements whose name contains this text; the coverage of the whole is then not judged.
+    #[arg(long, default_value = "")]
+    element: String,
+    /// Folder for libraries, headers, generated sources and the certificate.
+    #[arg(long, default_value = "target/contact-elements")]
+    output: PathBuf,
+    /// Do not build the C library.
+    #[arg(long)]
+    no_library: bool,
+}
+
+fn main() -> ExitCode {
+    match run(&Options::parse()) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("contact-verify: {error}");
+            ExitCode::FAILURE
         }
     }
 }
+
+fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
+    let sizes = build::generated_sources(&options.output)?;
+    let places = if options.no_library {
+        None
+    } else {
+        Some(build::c_library(&options.output)?)
+    };
+    let subjects: Vec<Subject> = subject::built_in()
+        .map_err(|unknown| unknown.to_string())?
+        .into_iter()
+        .filter(|subject| subject.name().contains(&options.element))
+        .collect();
+    if subjects.is_empty() {
+        return Err(format!("no element's name contains `{}`", options.element).into());
+    }
+    let certificate = certify(
+        &subjects,
+        &Extent {
+            states: if options.long { 100_000 } else { options.states },
+            seed: options.seed,
+            library: options.element.is_empty(),
+        },
+        &sizes,
+    );
+    let text = certificate.to_text();
+    println!("{text}");
+    std::fs::create_dir_all(&options.output)?;
+    std::fs::write(options.output.join("certificate.txt"), &text)?;
+    let json = options.output.join("certificate.json");
+    std::fs::write(&json, serde_json::to_string_pretty(&certificate)?)?;
+    println!("certificate        {}", json.display());
+    if let Some(places) = places {
+        print!("{places}");
+    }
+    Ok(certificate.failed() == 0)
+}
+

@@ -17,6 +17,10 @@ pub struct Subject {
     pub description: &'static ElementDescription,
     /// The same pair for the oracle; random states replace its numbers.
     pub template: Pair,
+    /// Parameters of a law that the oracle was given as [`Law::Declared`].
+    pub law_parameters: Vec<f64>,
+    /// Parameters of a rigid geometry that the oracle was given as `Declared`.
+    pub geometry_parameters: Vec<f64>,
 }
 
 /// A name in a declaration that the oracle does not know.
@@ -96,6 +100,8 @@ impl Subject {
         Ok(Self {
             description,
             template,
+            law_parameters: vec![],
+            geometry_parameters: vec![CIRCLE_RADIUS],
         })
     }
 
@@ -106,12 +112,12 @@ impl Subject {
 
     /// The element's parameter list for a pair's numbers.
     pub fn parameters(&self, pair: &Pair) -> Vec<f64> {
-        let mut list = law_parameters(&pair.law);
+        let mut list = self.parameters_of_law(&pair.law);
         list.push(pair.r0);
         if self.description.signed {
             list.push(pair.orientation);
         }
-        list.extend(rigid_parameters(&pair.master));
+        list.extend(self.parameters_of_rigid(&pair.master));
         if let Master::Shape(geometry) = &pair.master {
             list.extend(geometry.weights.iter().flatten());
         }
@@ -130,6 +136,43 @@ impl Subject {
             list.extend(placement_parameters(&pair.placement(), pair.dimension));
         }
         list
+    }
+
+    fn parameters_of_law(&self, law: &Law) -> Vec<f64> {
+        match *law {
+            Law::Penalty { eps_n } => vec![eps_n],
+            Law::Power { eps_n, exponent } => vec![eps_n, exponent],
+            Law::Barrier { kappa, distance } => vec![kappa, distance],
+            Law::Declared(_) => self.law_parameters.clone(),
+        }
+    }
+
+    fn parameters_of_rigid(&self, master: &Master) -> Vec<f64> {
+        match master {
+            Master::Parametric { surface, .. } => match *surface {
+                RigidParametric::Cylinder { radius }
+                | RigidParametric::Sphere { radius }
+                | RigidParametric::Circle { radius } => vec![radius],
+                RigidParametric::Cone { alpha } => vec![alpha],
+                RigidParametric::Torus { major, minor } => vec![major, minor],
+                RigidParametric::Helix {
+                    radius,
+                    pitch_over_2pi,
+                } => vec![radius, pitch_over_2pi],
+                RigidParametric::Declared(_) => self.geometry_parameters.clone(),
+                RigidParametric::Line | RigidParametric::Plane => vec![],
+            },
+            Master::Distance { body, .. } => match *body {
+                RigidDistance::Circle { radius }
+                | RigidDistance::Cylinder { radius }
+                | RigidDistance::Sphere { radius } => vec![radius],
+                RigidDistance::Cone { alpha } => vec![alpha],
+                RigidDistance::Torus { major, minor } => vec![major, minor],
+                RigidDistance::Declared(_) => self.geometry_parameters.clone(),
+                RigidDistance::Line | RigidDistance::Plane => vec![],
+            },
+            _ => vec![],
+        }
     }
 
     /// Row and weight of an interpolated slave; empty otherwise.
@@ -405,42 +448,6 @@ fn law(name: &str) -> Result<Law, UnknownName> {
         },
         other => return Err(UnknownName(other.to_string())),
     })
-}
-
-fn law_parameters(law: &Law) -> Vec<f64> {
-    match *law {
-        Law::Penalty { eps_n } => vec![eps_n],
-        Law::Power { eps_n, exponent } => vec![eps_n, exponent],
-        Law::Barrier { kappa, distance } => vec![kappa, distance],
-        Law::Declared(_) => vec![],
-    }
-}
-
-fn rigid_parameters(master: &Master) -> Vec<f64> {
-    match master {
-        Master::Parametric { surface, .. } => match *surface {
-            RigidParametric::Cylinder { radius }
-            | RigidParametric::Sphere { radius }
-            | RigidParametric::Circle { radius } => vec![radius],
-            RigidParametric::Cone { alpha } => vec![alpha],
-            RigidParametric::Torus { major, minor } => vec![major, minor],
-            RigidParametric::Helix {
-                radius,
-                pitch_over_2pi,
-            } => vec![radius, pitch_over_2pi],
-            RigidParametric::Declared(_) => vec![CIRCLE_RADIUS],
-            RigidParametric::Line | RigidParametric::Plane => vec![],
-        },
-        Master::Distance { body, .. } => match *body {
-            RigidDistance::Circle { radius }
-            | RigidDistance::Cylinder { radius }
-            | RigidDistance::Sphere { radius } => vec![radius],
-            RigidDistance::Cone { alpha } => vec![alpha],
-            RigidDistance::Torus { major, minor } => vec![major, minor],
-            _ => vec![],
-        },
-        _ => vec![],
-    }
 }
 
 fn placement_parameters(placement: &Placement, dimension: usize) -> Vec<f64> {

@@ -138,7 +138,7 @@ pub unsafe extern "C" fn ours_ctc_l2(
         },
     };
     let mut dense = Dense { residual, tangent };
-    let outcome = fixed::<Line2Line2Beams, _, 3, 2, 3, 4, 1, 16>(
+    let outcome = fixed::<Line2Line2Beams, _, 3, 2, 3, 4, 1, 12>(
         &call,
         &nodes(x, 4),
         &[false; 4],

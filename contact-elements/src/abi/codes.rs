@@ -42,7 +42,7 @@ pub mod argument {
     pub const WORKSPACE: i32 = 18;
     pub const ELEMENT: i32 = 19;
     pub const INFO: i32 = 20;
-    pub const NAME: i32 = 21;
+    pub const ELEMENT_NAME: i32 = 21;
     pub const BATCH: i32 = 22;
     pub const CONNECTIVITY: i32 = 23;
     pub const CSR: i32 = 24;

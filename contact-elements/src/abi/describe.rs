@@ -1,5 +1,6 @@
 //! What elements there are and what each needs.
 
+use super::sizes::nodes_of_call;
 use super::types::{ApiTable, Info};
 use super::{Descriptor, VERSION, code, kind};
 use crate::runtime::Status;
@@ -49,16 +50,6 @@ pub unsafe fn element_find(
             code::SUCCESS
         }
         None => code::NAME,
-    }
-}
-
-/// The nodes of a call; `None` where the number does not fit.
-pub(super) fn nodes_of_call(element: &Descriptor, nnode: i32) -> Option<usize> {
-    let smallest = element.nodes(1);
-    match usize::try_from(nnode).ok()? {
-        0 => Some(smallest),
-        n if n == smallest || (element.interpolated && n > smallest) => Some(n),
-        _ => None,
     }
 }
 
@@ -133,7 +124,12 @@ pub unsafe fn element_unknown(
         _ => return code::INDEX,
     };
     let (a, component) = element.place(index);
-    let vector = element.vectors.get(a).copied().unwrap_or(false);
+    let first = n - element.vectors.len().min(n);
+    let vector = a
+        .checked_sub(first)
+        .and_then(|a| element.vectors.get(a))
+        .copied()
+        .unwrap_or(false);
     let first = if vector {
         kind::TANGENT_VECTOR
     } else {
@@ -238,6 +234,7 @@ pub unsafe fn element_check_parameters(
         return code::NULL;
     }
     let count = usize::try_from(count).unwrap_or(0);
+    let count = count.min(element.parameters.len());
     // SAFETY: promised by the caller.
     let values = unsafe { core::slice::from_raw_parts(parameters, count) };
     match bad_parameter(element, values) {

@@ -3,13 +3,11 @@
 use core::cell::Cell;
 
 use super::describe::bad_parameter;
+use super::sizes::{Fault, extent, reported, slave_count, spacing};
 use super::target::Target;
-use super::types::Arguments;
+use super::types::{Arguments, is_whole};
 use super::{Descriptor, argument, code, request};
 use crate::runtime::{Call, Coordinates, InputError, Nodes, Status, Summary, Wanted};
-
-/// What is wrong: return code, argument, entry.
-pub(super) type Fault = (i32, i32, usize);
 
 /// `cte_element_evaluate`.
 ///
@@ -17,18 +15,21 @@ pub(super) type Fault = (i32, i32, usize);
 /// `element` comes from this interface or is null; `arguments` points to a struct whose pointers are
 /// valid for the shapes that the header gives, or is null.
 pub unsafe fn element_evaluate(element: *const Descriptor, arguments: *mut Arguments) -> i32 {
-    // SAFETY: promised by the caller.
-    let (Some(element), false) = (unsafe { element.as_ref() }, arguments.is_null()) else {
+    if arguments.is_null() {
         return code::NULL;
-    };
+    }
     // SAFETY: every struct begins with its size.
-    if (unsafe { (*arguments).struct_size } as usize) < size_of::<Arguments>() {
+    if !unsafe { is_whole::<Arguments>(arguments.cast()) } {
         return code::STRUCT_SIZE;
     }
     // SAFETY: the caller's struct is at least as large as ours.
     let arguments = unsafe { &mut *arguments };
     // SAFETY: promised by the caller.
-    let result = unsafe { checked(element, arguments) };
+    let result = match unsafe { element.as_ref() } {
+        // SAFETY: promised by the caller.
+        Some(element) => unsafe { checked(element, arguments) },
+        None => Err((code::NULL, argument::ELEMENT, 0)),
+    };
     arguments.dt_ratio = 1.0;
     arguments.closed_points = 0;
     arguments.status = Status::Open as i32;
@@ -45,11 +46,11 @@ pub unsafe fn element_evaluate(element: *const Descriptor, arguments: *mut Argum
                 arguments.dt_ratio = 0.5;
             }
             let (code, name, index) = fault_of(error);
-            (arguments.error_argument, arguments.error_index) = (name, index as i32);
+            (arguments.error_argument, arguments.error_index) = (name, reported(index));
             code
         }
         Err((code, name, index)) => {
-            (arguments.error_argument, arguments.error_index) = (name, index as i32);
+            (arguments.error_argument, arguments.error_index) = (name, reported(index));
             code
         }
     }
@@ -81,30 +82,10 @@ unsafe fn checked(
     // SAFETY: promised by the caller.
     let parameters =
         unsafe { parameters(element, arguments.parameters, arguments.parameter_count)? };
-    let stride = |value: i64, name: i32| match usize::try_from(value) {
-        Ok(0) => Ok(element.dimension),
-        Ok(stride) if stride >= element.dimension => Ok(stride),
-        _ => Err((code::STRIDE, name, 0)),
-    };
-    let x_stride = stride(arguments.x_node_stride, argument::X)?;
-    let u_stride = stride(arguments.u_node_stride, argument::U)?;
+    // SAFETY: promised by the caller.
+    let nodes = unsafe { nodes(element, arguments, n)? };
     // SAFETY: promised by the caller.
     let mut target = unsafe { target(element, arguments, n)? };
-    // SAFETY: promised by the caller: n nodes at that stride.
-    let coordinates = |values: *const f64, node_stride: usize| Coordinates {
-        values: unsafe {
-            core::slice::from_raw_parts(values, (n - 1) * node_stride + element.dimension)
-        },
-        offset: 0,
-        node_stride,
-        component_stride: 1,
-    };
-    let nodes = Nodes {
-        x: coordinates(arguments.x, x_stride),
-        u: (!arguments.u.is_null()).then(|| coordinates(arguments.u, u_stride)),
-        connectivity: None,
-        count: n,
-    };
     // SAFETY: promised by the caller.
     let (history, slave_row, memory) = unsafe {
         (
@@ -128,6 +109,45 @@ unsafe fn checked(
         target.symmetrise();
     }
     Ok(result)
+}
+
+/// Where the coordinates stand.
+///
+/// # Safety
+/// `x` has n nodes at its stride, `u` likewise where it is not null.
+unsafe fn nodes<'a>(
+    element: &Descriptor,
+    arguments: &Arguments,
+    n: usize,
+) -> Result<Nodes<'a>, Fault> {
+    let d = element.dimension;
+    let coordinates = |values: *const f64, stride: i64, name: i32| {
+        let fault = (code::STRIDE, name, 0);
+        let node_stride = spacing(stride, d).ok_or(fault)?;
+        let length = extent(&[(n - 1, node_stride), (d - 1, 1)]).ok_or(fault)?;
+        Ok(Coordinates {
+            // SAFETY: promised by the caller.
+            values: unsafe { core::slice::from_raw_parts(values, length) },
+            offset: 0,
+            node_stride,
+            component_stride: 1,
+        })
+    };
+    Ok(Nodes {
+        x: coordinates(arguments.x, arguments.x_node_stride, argument::X)?,
+        u: if arguments.u.is_null() {
+            spacing(arguments.u_node_stride, d).ok_or((code::STRIDE, argument::U, 0))?;
+            None
+        } else {
+            Some(coordinates(
+                arguments.u,
+                arguments.u_node_stride,
+                argument::U,
+            )?)
+        },
+        connectivity: None,
+        count: n,
+    })
 }
 
 pub(super) fn wanted(bits: u32) -> Wanted {
@@ -198,11 +218,7 @@ fn check_outputs(arguments: &Arguments) -> Result<(), Fault> {
 }
 
 fn node_counts(element: &Descriptor, arguments: &Arguments) -> Result<(usize, usize), Fault> {
-    let nslave = match usize::try_from(arguments.nslave) {
-        Ok(0) if !element.interpolated => element.slave_nodes,
-        Ok(n) if n > 0 && (element.interpolated || n == element.slave_nodes) => n,
-        _ => return Err((code::NODE_COUNT, argument::NSLAVE, 0)),
-    };
+    let nslave = slave_count(element, arguments.nslave)?;
     let n = element.nodes(nslave);
     match usize::try_from(arguments.nnode) {
         Ok(given) if given == 0 || given == n => Ok((n, nslave)),
@@ -220,6 +236,7 @@ pub(super) unsafe fn parameters<'a>(
     count: i32,
 ) -> Result<&'a [f64], Fault> {
     let count = usize::try_from(count).unwrap_or(0);
+    let count = count.min(element.parameters.len());
     // SAFETY: promised by the caller.
     let values = unsafe { core::slice::from_raw_parts(values, count) };
     match bad_parameter(element, values) {
@@ -357,11 +374,15 @@ fn strides(row: i64, column: i64, rows: usize) -> Result<(usize, usize), Fault> 
     let (Ok(row), Ok(column)) = (usize::try_from(row), usize::try_from(column)) else {
         return Err(fault);
     };
-    if row == 0 && column == 0 {
-        return Ok((rows, 1));
-    }
+    let (row, column) = if row == 0 && column == 0 {
+        (rows, 1)
+    } else {
+        (row, column)
+    };
+    let last = rows.saturating_sub(1);
     let apart = |small: usize, large: usize| large.checked_div(small).is_some_and(|n| n >= rows);
-    if apart(column, row) || apart(row, column) {
+    let fits = extent(&[(last, row), (last, column)]).is_some();
+    if fits && (apart(column, row) || apart(row, column)) {
         Ok((row, column))
     } else {
         Err(fault)

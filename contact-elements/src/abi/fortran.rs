@@ -184,9 +184,12 @@ pub unsafe fn history_init(
 ) {
     // SAFETY: promised by the caller.
     unsafe {
-        write(
-            result,
-            element_history_init(element(elements, index), values),
-        )
-    };
+        let element = element(elements, index);
+        let code = if element.is_null() {
+            code::INDEX
+        } else {
+            element_history_init(element, values)
+        };
+        write(result, code);
+    }
 }

@@ -1,6 +1,6 @@
 //! Texts of the interface: static, zero-terminated, each says what to do.
 
-use super::types::Arguments;
+use super::types::{Arguments, is_whole};
 use super::{Descriptor, argument, code};
 
 /// What a return code means; `cte_code_message`.
@@ -30,7 +30,7 @@ fn code_text(value: i32) -> &'static str {
         code::INDEX => "an index is out of range\0",
         code::NAME => "no element of that name: see cte_element_get\0",
         code::VERSION => "the library has another major version than the header\0",
-        code::STRIDE => "strides are negative or let entries overlap\0",
+        code::STRIDE => "strides are negative, let entries overlap or reach beyond any memory\0",
         _ => "not a return code of this library\0",
     }
 }
@@ -78,7 +78,7 @@ fn argument_text(value: i32) -> &'static str {
         argument::WORKSPACE => "workspace\0",
         argument::ELEMENT => "element\0",
         argument::INFO => "info\0",
-        argument::NAME => "name\0",
+        argument::ELEMENT_NAME => "element_name\0",
         argument::BATCH => "batch\0",
         argument::CONNECTIVITY => "connectivity\0",
         argument::CSR => "csr_values, csr_map\0",
@@ -152,7 +152,7 @@ pub unsafe fn element_message(
         length: 0,
     };
     // SAFETY: promised by the caller.
-    let (element, arguments) = unsafe { (element.as_ref(), arguments.as_ref()) };
+    let (element, arguments) = unsafe { (element.as_ref(), whole(arguments)) };
     if let Some(element) = element {
         writer.push(element.name);
         writer.push(": ");
@@ -162,6 +162,19 @@ pub unsafe fn element_message(
     }
     writer.push(code_text(value));
     writer.finish()
+}
+
+/// The arguments, where the struct has all the fields that are read.
+///
+/// # Safety
+/// `arguments` is null or points to a struct of the size that it begins with.
+unsafe fn whole<'a>(arguments: *const Arguments) -> Option<&'a Arguments> {
+    // SAFETY: every struct begins with its size.
+    if arguments.is_null() || !unsafe { is_whole::<Arguments>(arguments.cast()) } {
+        return None;
+    }
+    // SAFETY: the caller's struct is at least as large as ours.
+    unsafe { arguments.as_ref() }
 }
 
 fn describe_place(writer: &mut Writer, element: Option<&Descriptor>, arguments: &Arguments) {

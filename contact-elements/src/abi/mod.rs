@@ -4,6 +4,7 @@
 //! function of this module with the registry of its library; see `contact_elements.h` for the manual.
 
 mod batch;
+mod batch_check;
 mod codes;
 mod csr;
 mod describe;
@@ -11,6 +12,7 @@ mod evaluate;
 pub mod fortran;
 mod messages;
 mod safe;
+mod sizes;
 mod target;
 mod types;
 
@@ -84,7 +86,7 @@ pub struct Descriptor {
     pub operations: usize,
     /// Hash of the formulation.
     pub formulation: u64,
-    /// Which nodes are tangent vectors.
+    /// Which nodes are tangent vectors; of interpolated elements the master nodes only.
     pub vectors: &'static [bool],
     /// Start of the projection.
     pub centre: [f64; 2],

@@ -84,7 +84,11 @@ pub fn evaluate(element: &Descriptor, evaluation: &mut Evaluation<'_>) -> Outcom
     };
     arguments.f = output(evaluation.residual, unknowns, request::RESIDUAL);
     arguments.k = output(evaluation.tangent, unknowns * unknowns, request::TANGENT);
-    arguments.output = output(evaluation.output, element.points * OUTPUT_SIZE, request::OUTPUT);
+    arguments.output = output(
+        evaluation.output,
+        element.points * OUTPUT_SIZE,
+        request::OUTPUT,
+    );
     arguments.hist_new = output(evaluation.new_history, element.history(), request::HISTORY);
     arguments.energy = output(evaluation.energy, 1, request::ENERGY);
     arguments.request = wanted;

@@ -41,6 +41,23 @@ impl Target {
         }
     }
 
+    /// Writes a row whose entries stand side by side in the host's matrix.
+    #[inline(always)]
+    fn dense_row(&self, unknown: usize, row: &[f64], first: bool) {
+        // SAFETY: k has a row of this length for every unknown, and nothing else refers to it now.
+        let to = unsafe {
+            core::slice::from_raw_parts_mut(self.k.add(unknown * self.row_stride), row.len())
+        };
+        if first && self.k_scale == 1.0 {
+            to.copy_from_slice(row);
+            return;
+        }
+        for (to, &value) in to.iter_mut().zip(row) {
+            let value = self.k_scale * value;
+            *to = if first { value } else { *to + value };
+        }
+    }
+
     /// Adds to the host's sparse row.
     #[inline(always)]
     fn scatter_row(&self, unknown: usize, row: &[f64]) {
@@ -115,7 +132,9 @@ impl Receiver for Target {
 
     #[inline(always)]
     fn row(&mut self, unknown: usize, row: &[f64], first: bool) {
-        if !self.k.is_null() {
+        if !self.k.is_null() && self.map.is_null() && self.column_stride == 1 {
+            self.dense_row(unknown, row, first);
+        } else if !self.k.is_null() {
             let start = self.host(unknown) * self.row_stride;
             for (column, &value) in row.iter().enumerate() {
                 let value = self.k_scale * value;

@@ -163,6 +163,15 @@ pub struct ApiTable {
         unsafe extern "C" fn(*const Descriptor, *const Arguments, i32, *mut u8, i32) -> i32,
 }
 
+/// True where the caller's struct is at least as large as `T`.
+///
+/// # Safety
+/// `size` points to the first field of a struct, its size as the caller compiled it.
+pub(super) unsafe fn is_whole<T>(size: *const u32) -> bool {
+    // SAFETY: promised by the caller.
+    (unsafe { *size }) as usize >= size_of::<T>()
+}
+
 // Sizes on every supported (64-bit) platform; the header's clients rely on them.
 #[cfg(target_pointer_width = "64")]
 const _: () = {

@@ -46,28 +46,17 @@ pub fn contract<R: Receiver, const D: usize, const P: usize>(
 ) {
     let unknowns = s.len() * D;
     for k in 0..D {
-        column_factor(
-            temporaries.u[k],
-            s,
-            ds,
-            &coefficients.p[k],
-            n,
-            moving.then_some((&coefficients.right, k)),
-        );
+        let factors = core::array::from_fn(|j| coefficients.right[j][k]);
+        let turn = moving.then_some(&factors);
+        factor(temporaries.u[k], temporaries.h, s, ds, &coefficients.p[k], n, turn);
         for (u, &m) in temporaries.u[k].iter_mut().zip(measure) {
             *u += n[k] * m;
         }
     }
     if moving {
         for j in 0..P {
-            rotation_factor(
-                temporaries.g[j],
-                s,
-                ds,
-                &coefficients.left[j],
-                &coefficients.s[j],
-                n,
-            );
+            let turn = Some(&coefficients.s[j]);
+            factor(temporaries.g[j], temporaries.h, s, ds, &coefficients.left[j], n, turn);
         }
     }
     for (a, &s_a) in s.iter().enumerate() {
@@ -94,48 +83,44 @@ pub fn contract<R: Receiver, const D: usize, const P: usize>(
     }
 }
 
-/// u(B,l) = s_B p_l + Σ_j s_B,j right_j[k] n_l
+/// to(B,l) = s_B v_l + (Σ_j s_B,j turn_j) n_l; `sums`: scratch for the sums of the nodes.
 #[inline(always)]
-fn column_factor<const D: usize, const P: usize>(
-    u: &mut [f64],
+fn factor<const D: usize, const P: usize>(
+    to: &mut [f64],
+    sums: &mut [f64],
     s: &[f64],
     ds: [&[f64]; P],
-    p: &[f64; D],
+    v: &[f64; D],
     n: &[f64; D],
-    right: Option<(&[[f64; D]; P], usize)>,
+    turn: Option<&[f64; P]>,
 ) {
-    let (blocks, _) = u.as_chunks_mut::<D>();
-    for (b, (block, &s_b)) in blocks.iter_mut().zip(s).enumerate() {
-        let mut turn = 0.0;
-        if let Some((right, k)) = right {
-            for j in 0..P {
-                turn += ds[j].get(b).copied().unwrap_or(0.0) * right[j][k];
+    let (blocks, _) = to.as_chunks_mut::<D>();
+    let Some(turn) = turn else {
+        for (block, &s_b) in blocks.iter_mut().zip(s) {
+            for l in 0..D {
+                block[l] = s_b * v[l];
             }
         }
+        return;
+    };
+    combine_rows(sums, ds, turn);
+    for (block, (&s_b, &sum)) in blocks.iter_mut().zip(s.iter().zip(sums.iter())) {
         for l in 0..D {
-            block[l] = s_b * p[l] + turn * n[l];
+            block[l] = s_b * v[l] + sum * n[l];
         }
     }
 }
 
-/// g(B,l) = s_B left_l + Σ_i s_B,i s_i n_l
+/// sums_B = Σ_j s_B,j turn_j
 #[inline(always)]
-fn rotation_factor<const D: usize, const P: usize>(
-    g: &mut [f64],
-    s: &[f64],
-    ds: [&[f64]; P],
-    left: &[f64; D],
-    rotation: &[f64; P],
-    n: &[f64; D],
-) {
-    let (blocks, _) = g.as_chunks_mut::<D>();
-    for (b, (block, &s_b)) in blocks.iter_mut().zip(s).enumerate() {
-        let mut turn = 0.0;
-        for i in 0..P {
-            turn += ds[i].get(b).copied().unwrap_or(0.0) * rotation[i];
+fn combine_rows<const P: usize>(sums: &mut [f64], ds: [&[f64]; P], turn: &[f64; P]) {
+    if P == 1 {
+        for (sum, &d) in sums.iter_mut().zip(ds[0]) {
+            *sum = d * turn[0];
         }
-        for l in 0..D {
-            block[l] = s_b * left[l] + turn * n[l];
+    } else if P == 2 {
+        for (sum, (&d0, &d1)) in sums.iter_mut().zip(ds[0].iter().zip(ds[1])) {
+            *sum = d0 * turn[0] + d1 * turn[1];
         }
     }
 }

@@ -9,7 +9,7 @@ use super::contraction::{Temporaries, contract};
 use super::element::Element;
 use super::placement::Placement;
 use super::projection::project;
-use super::shape::NormalLaw;
+use super::shape::{NormalLaw, Traction};
 use super::values::{Coefficients, Gap, Rows, Status, Vectors};
 use crate::arithmetic::abs;
 
@@ -101,6 +101,8 @@ struct Point<const D: usize, const P: usize, const H: usize> {
     zeta: [f64; P],
     vectors: Vectors<D, P, H>,
     gap: Gap<D>,
+    /// Of a closed point.
+    law: Traction,
     iterations: u32,
 }
 
@@ -135,6 +137,9 @@ pub fn evaluate<
     stage: &mut Stage<'_, D, P>,
     receiver: &mut R,
 ) -> Result<Summary, Failure> {
+    if Q == 1 {
+        return evaluate_one::<E, R, D, P, H>(call, stage, receiver);
+    }
     let mut points = [None; Q];
     for (number, slot) in points.iter_mut().enumerate() {
         match classify::<E, D, P, H>(call, stage, number) {
@@ -181,6 +186,40 @@ pub fn evaluate<
     Ok(summary)
 }
 
+/// An element with one contact point: nothing has to be kept between the passes.
+#[inline(always)]
+fn evaluate_one<
+    E: Element<D, P, H>,
+    R: Receiver,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
+    call: &Call<'_>,
+    stage: &mut Stage<'_, D, P>,
+    receiver: &mut R,
+) -> Result<Summary, Failure> {
+    let point = match classify::<E, D, P, H>(call, stage, 0) {
+        Ok(point) => point,
+        Err(status) => return Err(Failure { status, point: 0 }),
+    };
+    let placement = placement::<E, D, P, H>(call.parameters);
+    let mut energy = 0.0;
+    let is_closed = point.status == Status::Closed;
+    if is_closed {
+        let pass = (0, true, false);
+        energy = closed::<E, R, D, P, H>(call, stage, receiver, &placement, &point, pass);
+    } else {
+        receiver.report(0, &report(&point, &placement, 0.0, 0.0));
+        receiver.open(stage.x.len() * D);
+    }
+    receiver.energy(energy);
+    Ok(Summary {
+        status: point.status,
+        closed: u32::from(is_closed),
+    })
+}
+
 #[inline(always)]
 fn placement<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     parameters: &[f64],
@@ -218,17 +257,24 @@ fn classify<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>
     )?;
     let mut point = Point {
         status: Status::Outside,
-        feature: E::feature(&projected.zeta),
+        feature: projected.feature,
         zeta: projected.zeta,
         vectors: projected.vectors,
         gap: Gap::default(),
+        law: Traction::default(),
         iterations: projected.iterations,
     };
     if !E::SIGNED && is_zero(&point.vectors.r, stage.scale) {
         return Err(Status::Degenerate);
     }
+    if !E::is_regular(number, stage.x, &point.vectors, call.parameters) {
+        return Err(Status::Degenerate);
+    }
     let orientation = orientation::<E, D, P, H>(call.parameters);
     point.gap = E::gap(&point.vectors, call.parameters, orientation);
+    if !(is_finite(&point.gap.n) & is_finite(&[point.gap.gap])) {
+        return Err(Status::Degenerate);
+    }
     if point.feature != 0 {
         return Ok(point);
     }
@@ -237,14 +283,54 @@ fn classify<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>
         (true, Some(history)) => history.first().map(Cell::get) == Some(1.0),
         _ => E::Law::active(gap, call.parameters) > 0.0,
     };
-    if !(abs(gap) <= f64::MAX) {
-        return Err(Status::Degenerate);
+    if closed {
+        point.status = Status::Closed;
+        point.law = law::<E, D, P, H>(gap, call.parameters)?;
+        if call.wanted.tangent && !has_derivatives(&point.vectors) {
+            return Err(Status::Degenerate);
+        }
+    } else {
+        point.status = Status::Open;
     }
-    if closed && E::Law::valid(gap, call.parameters) <= 0.0 {
+    Ok(point)
+}
+
+/// N, N' and W of a closed point, where the law is defined and its values are numbers.
+#[inline(always)]
+fn law<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    gap: f64,
+    parameters: &[f64],
+) -> Result<Traction, Status> {
+    if E::Law::valid(gap, parameters) <= 0.0 {
         return Err(Status::Law);
     }
-    point.status = if closed { Status::Closed } else { Status::Open };
-    Ok(point)
+    let law = E::Law::evaluate(gap, parameters);
+    if is_finite(&[law.traction, law.slope, law.energy]) {
+        Ok(law)
+    } else {
+        Err(Status::Law)
+    }
+}
+
+/// The tangents and second derivatives are numbers.
+#[inline(always)]
+fn has_derivatives<const D: usize, const P: usize, const H: usize>(
+    vectors: &Vectors<D, P, H>,
+) -> bool {
+    let mut finite = true;
+    for vector in vectors.b.iter().chain(&vectors.second) {
+        finite &= is_finite(vector);
+    }
+    finite
+}
+
+#[inline(always)]
+fn is_finite<const N: usize>(values: &[f64; N]) -> bool {
+    let mut finite = true;
+    for &value in values {
+        finite &= abs(value) <= f64::MAX;
+    }
+    finite
 }
 
 /// |r| is zero to rounding.
@@ -300,7 +386,7 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
         load_slave::<E, D, P, H>(call, stage, number);
         E::kinematics(stage.x, &point.zeta, call.parameters, &mut stage.rows);
     }
-    let law = E::Law::evaluate(point.gap.gap, call.parameters);
+    let law = point.law;
     let weight = if E::SLAVE_NODES == 0 {
         call.slave_row.last().copied().unwrap_or(1.0)
     } else {

@@ -2,6 +2,7 @@
 
 use super::shape::{Domain, NormalLaw, Traction};
 use super::values::{Coefficients, Gap, Measure, Rows, Status, Vectors};
+use crate::arithmetic::abs;
 
 /// How the projection is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +36,16 @@ pub struct Layout {
     pub count: usize,
 }
 
+/// True where every divisor is finite and at least `least` in magnitude.
+#[inline(always)]
+pub fn can_divide<const N: usize>(divisors: &[f64; N], least: f64) -> bool {
+    let mut can = true;
+    for &divisor in divisors {
+        can &= abs(divisor) >= least && abs(divisor) <= f64::MAX;
+    }
+    can
+}
+
 /// An element in D dimensions with P projected parameters, H = P(P+1)/2.
 pub trait Element<const D: usize, const P: usize, const H: usize> {
     /// Normal law; its parameters come first.
@@ -45,6 +56,8 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     const SEARCH: Search;
     /// False where no unknown turns the tangents (rigid masters).
     const MOVING: bool;
+    /// False where r_,11, r_,12 or r_,22 vanishes identically.
+    const CURVED: [bool; 3];
     /// True for a gap with a sign.
     const SIGNED: bool;
     /// True where the measure moves with the slave.
@@ -120,6 +133,19 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
 
     /// Closed projection of the slave's point.
     fn closed_projection(x: &[f64; D], parameters: &[f64]) -> [f64; P];
+
+    /// False where something vanishes that `gap`, `tangent` or `measure` divides by: a master's axis, a
+    /// slave of no area.
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn is_regular(
+        point: usize,
+        x: &[[f64; D]],
+        vectors: &Vectors<D, P, H>,
+        parameters: &[f64],
+    ) -> bool {
+        true
+    }
 
     /// Normal, distance and gap. [eq:gap]
     fn gap(vectors: &Vectors<D, P, H>, parameters: &[f64], orientation: f64) -> Gap<D>;

@@ -69,28 +69,78 @@ pub(crate) fn is_usable(value: f64) -> bool {
     (value.to_bits() & !(1 << 63)) <= LARGEST.to_bits()
 }
 
+/// Negative as an integer for values that are not usable.
+#[inline(always)]
+fn room(value: f64) -> u64 {
+    LARGEST.to_bits().wrapping_sub(value.to_bits() & !(1 << 63))
+}
+
 impl Coordinates<'_> {
+    /// The first `count` nodes, where they stand one after another.
+    #[inline(always)]
+    fn dense<const D: usize>(&self, count: usize) -> Option<&[f64]> {
+        if self.component_stride == 1 && self.node_stride == D {
+            self.values.get(self.offset..)?.get(..count * D)
+        } else {
+            None
+        }
+    }
+
     #[inline(always)]
     fn node<const D: usize>(&self, node: usize) -> Option<[f64; D]> {
         let start = self.offset + node * self.node_stride;
-        let mut value = [0.0; D];
-        let mut usable = true;
         if self.component_stride == 1 {
-            value = *self.values.get(start..)?.first_chunk::<D>()?;
-            for component in value {
-                usable &= is_usable(component);
-            }
-        } else {
-            for (k, value) in value.iter_mut().enumerate() {
-                *value = *self.values.get(start + k * self.component_stride)?;
-                usable &= is_usable(*value);
-            }
+            return self.values.get(start..)?.first_chunk::<D>().copied();
         }
-        usable.then_some(value)
+        let mut value = [0.0; D];
+        for (k, value) in value.iter_mut().enumerate() {
+            *value = *self.values.get(start + k * self.component_stride)?;
+        }
+        Some(value)
     }
 }
 
 impl Nodes<'_> {
+    /// Checks all coordinates of the first `count` nodes before anything is computed with them.
+    #[inline(always)]
+    fn check<const D: usize>(&self, count: usize) -> Result<(), InputError> {
+        let mut signs = 0;
+        if let (None, None, Some(block)) = (&self.u, self.connectivity, self.x.dense::<D>(count)) {
+            for &value in block {
+                signs |= room(value);
+            }
+        } else {
+            for a in 0..count {
+                for value in self.reference::<D>(a)? {
+                    signs |= room(value);
+                }
+                for value in self.displacement::<D>(a)? {
+                    signs |= room(value);
+                }
+            }
+        }
+        if signs >> 63 == 0 {
+            Ok(())
+        } else {
+            Err(self.first_unusable::<D>(count))
+        }
+    }
+
+    /// What [`Nodes::check`] found.
+    #[cold]
+    fn first_unusable<const D: usize>(&self, count: usize) -> InputError {
+        let unusable = |value: [f64; D]| !value.into_iter().all(is_usable);
+        for a in 0..count {
+            if self.reference(a).is_ok_and(unusable) {
+                return InputError::Position(a);
+            }
+            if self.displacement(a).is_ok_and(unusable) {
+                return InputError::Displacement(a);
+            }
+        }
+        InputError::Position(0)
+    }
+
     #[inline(always)]
     fn reference<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
         self.number(a)
@@ -120,15 +170,16 @@ impl Nodes<'_> {
 
 /// Gathers the nodes relative to a local origin: the first slave node, or the frame of a placed geometry.
 /// Differences are taken of reference coordinates and of displacements apart, so that nothing is lost far
-/// from the origin. Returns the largest local coordinate.
+/// from the origin. [eq:local-origin] Returns the largest local coordinate, and the origin in the local frame.
 #[inline(always)]
 fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     nodes: &Nodes<'_>,
     parameters: &[f64],
-    vectors: &[bool],
+    is_vector: impl Fn(usize) -> bool,
     x: &mut [[f64; D]],
     reference: &mut [[f64; D]],
-) -> Result<f64, InputError> {
+) -> Result<(f64, [f64; D]), InputError> {
+    nodes.check::<D>(x.len())?;
     let placement: Option<Placement<D>> = E::LAYOUT
         .placement
         .map(|at| Placement::from_parameters(parameters.get(at..).unwrap_or(&[])));
@@ -144,14 +195,21 @@ fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     for (a, local) in x.iter_mut().enumerate() {
         let position: [f64; D] = nodes.reference(a)?;
         let displacement: [f64; D] = nodes.displacement(a)?;
-        let is_vector = vectors.get(a).copied().unwrap_or(false);
-        let mut value = position;
-        for k in 0..D {
-            value[k] = if is_vector {
-                position[k] + displacement[k]
-            } else {
-                (position[k] - origin[k]) + (displacement[k] - shift[k])
-            };
+        let is_vector = is_vector(a);
+        let mut value = [0.0; D];
+        if is_vector {
+            for k in 0..D {
+                value[k] = position[k] + displacement[k];
+            }
+        } else if a > 0 || rigid {
+            for k in 0..D {
+                value[k] = position[k] - origin[k];
+            }
+            if nodes.u.is_some() {
+                for k in 0..D {
+                    value[k] += displacement[k] - shift[k];
+                }
+            }
         }
         if let Some(reference) = reference.get_mut(a) {
             for k in 0..D {
@@ -167,10 +225,22 @@ fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
             None => value,
         };
         for k in 0..D {
-            scale = scale.max(abs(local[k]));
+            scale = larger(scale, abs(local[k]));
         }
     }
-    Ok(scale)
+    for k in 0..D {
+        origin[k] += shift[k];
+    }
+    if let Some(placement) = &placement {
+        origin = placement.vector_to_local(&origin);
+    }
+    Ok((scale, origin))
+}
+
+/// The larger of two numbers, neither of them NaN.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 #[inline(always)]
@@ -181,6 +251,27 @@ fn check_history(history: &[Cell<f64>]) -> Result<(), InputError> {
         }
     }
     Ok(())
+}
+
+/// A slave row need not sum to one (hierarchical shape functions): Σ N_A x_A − o differs from
+/// Σ N_A (x_A − o) by (Σ N_A − 1) o, which the node of the largest entry takes over. [eq:row-sum]
+#[inline(always)]
+fn shift_of_row<const D: usize>(slave_row: &[f64], origin: &[f64; D], x: &mut [[f64; D]]) {
+    let Some((_, row)) = slave_row.split_last() else {
+        return;
+    };
+    let mut excess = -1.0;
+    let mut largest: f64 = 0.0;
+    for &entry in row {
+        excess += entry;
+        largest = largest.max(abs(entry));
+    }
+    let node = row.iter().zip(x).find(|(entry, _)| abs(**entry) >= largest);
+    if let (Some((&entry, x)), true) = (node, largest > 1e-30) {
+        for k in 0..D {
+            x[k] += excess * origin[k] / entry;
+        }
+    }
 }
 
 /// Kernel of an element with N nodes and Q points; W ≥ D·N is the length of the scratch rows.
@@ -205,7 +296,9 @@ pub fn fixed<
     }
     let mut x = [[0.0; D]; N];
     let mut reference = [[0.0; D]; N];
-    let scale = gather::<E, D, P, H>(nodes, call.parameters, vectors, &mut x, &mut reference)?;
+    let is_vector = |a: usize| vectors.get(a).copied().unwrap_or(false);
+    let (scale, _) =
+        gather::<E, D, P, H>(nodes, call.parameters, is_vector, &mut x, &mut reference)?;
     let mut s = [0.0; N];
     let mut ds = [[0.0; N]; P];
     let mut u = [[0.0; W]; D];
@@ -247,6 +340,7 @@ pub fn interpolated<
 >(
     call: &Call<'_>,
     nodes: &Nodes<'_>,
+    masters_vectors: &[bool],
     memory: &mut [f64],
     receiver: &mut R,
 ) -> Result<Summary, InputError> {
@@ -278,7 +372,13 @@ pub fn interpolated<
     let u = core::array::from_fn(|_| take(n * D));
     let g = core::array::from_fn(|_| take(n * D));
     let (h, row) = (take(n * D), take(n * D));
-    let scale = gather::<E, D, P, H>(nodes, call.parameters, &[], x, &mut [])?;
+    let first_master = n.saturating_sub(E::MASTER_NODES);
+    let is_vector = |a: usize| {
+        let master = a.checked_sub(first_master);
+        master.and_then(|m| masters_vectors.get(m)).copied().unwrap_or(false)
+    };
+    let (scale, origin) = gather::<E, D, P, H>(nodes, call.parameters, is_vector, x, &mut [])?;
+    shift_of_row(call.slave_row, &origin, x);
     let mut stage = Stage {
         x,
         reference: &[],

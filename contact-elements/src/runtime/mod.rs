@@ -6,6 +6,7 @@
 //! | 2 contraction with shape rows given at run time | [`contract`] |
 //! | 3 element | [`evaluate`] |
 
+mod constrained;
 mod contraction;
 mod driver;
 mod element;
@@ -18,7 +19,7 @@ mod values;
 
 pub use contraction::{Temporaries, contract};
 pub use driver::{Call, Failure, Receiver, Report, Stage, Summary, Wanted, evaluate};
-pub use element::{Element, Layout, Search};
+pub use element::{Element, Layout, Search, can_divide};
 pub(crate) use kernel::is_usable;
 pub use kernel::{Coordinates, InputError, Nodes, fixed, interpolated, workspace};
 pub use kinematics::{

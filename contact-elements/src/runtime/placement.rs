@@ -1,6 +1,6 @@
 //! Where a rigid geometry stands: origin and rotation from its own frame to the global one.
 
-/// global = origin + rotation · local.
+/// global = origin + rotation · local. [eq:placement]
 #[derive(Clone, Copy, Debug)]
 pub struct Placement<const D: usize> {
     /// Origin of the geometry's frame [length].

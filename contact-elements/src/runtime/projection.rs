@@ -1,9 +1,11 @@
 //! Closest point projection: f_i = r·r_,i = 0 by Newton's method. [eq:projection]
 //!
 //! F_ij = a_ij + r·r_,ij; det F is formed from |b_1×b_2|² so that it keeps its digits where tangents are
-//! nearly parallel. Affine pairs need one linear solve; rigid geometries with a declared closed projection
+//! nearly parallel. Where Newton finds no stationary point, a search within the domain decides (see
+//! `constrained`). Affine pairs need one linear solve; rigid geometries with a declared closed projection
 //! and distance functions need none. Every outcome has a status; a failure says so.
 
+use super::constrained::constrained;
 use super::element::{Element, Search};
 use super::values::{Rows, Status, Vectors, dot};
 use crate::arithmetic::abs;
@@ -17,6 +19,8 @@ pub struct Projected<const D: usize, const P: usize, const H: usize> {
     pub vectors: Vectors<D, P, H>,
     /// Newton steps taken.
     pub iterations: u32,
+    /// 0 inside the domain, else the feature beyond which the projection lies.
+    pub feature: u8,
 }
 
 /// Most Newton steps before the projection is given up.
@@ -43,23 +47,26 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
         zeta = E::closed_projection(&super::slave_point(x, rows.s, 0), parameters);
     }
     let mut vectors = E::kinematics(x, &zeta, parameters, rows);
-    if P == 0 {
-        return Ok(Projected {
-            zeta,
-            vectors,
-            iterations: 0,
-        });
+    let mut iterations = 0;
+    if P > 0 {
+        if given || matches!(E::SEARCH, Search::Closed) {
+            step::<E, D, P, H>(&vectors, scale)?;
+        } else {
+            match newton::<E, D, P, H>(x, parameters, scale, rows, &mut zeta, &mut vectors) {
+                Ok(steps) => iterations = steps,
+                Err(Status::Degenerate) => return Err(Status::Degenerate),
+                // beyond an edge the free stationary point need not exist
+                Err(_) => {
+                    return constrained::<E, D, P, H>(x, start, parameters, scale, rows);
+                }
+            }
+        }
     }
-    let iterations = if given || matches!(E::SEARCH, Search::Closed) {
-        step::<E, D, P, H>(&vectors)?;
-        0
-    } else {
-        newton::<E, D, P, H>(x, parameters, scale, rows, &mut zeta, &mut vectors)?
-    };
     Ok(Projected {
         zeta,
         vectors,
         iterations,
+        feature: E::feature(&zeta),
     })
 }
 
@@ -74,18 +81,23 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
 ) -> Result<u32, Status> {
     let mut previous = f64::MAX;
     for iteration in 1..=MOST_STEPS {
-        let mut change = step::<E, D, P, H>(vectors)?;
-        let converged = at_rounding_level(vectors, scale);
+        let Step {
+            mut change,
+            at_rounding_level,
+        } = step::<E, D, P, H>(vectors, scale)?;
         let mut size: f64 = 0.0;
         for i in 0..P {
             let extent = E::extent(i);
             change[i] = change[i].clamp(-extent, extent);
             zeta[i] += change[i];
-            size = size.max(abs(change[i]) / extent);
+            let relative = abs(change[i]) / extent;
+            size = if relative > size { relative } else { size };
         }
         *vectors = E::kinematics(x, zeta, parameters, rows);
-        if converged || finished(E::SEARCH, iteration, size, previous) {
-            step::<E, D, P, H>(vectors)?;
+        // the steps no longer shrink because f is rounding noise
+        let stagnates = iteration > 2 && at_rounding_level && size > 0.25 * previous;
+        if stagnates || finished(E::SEARCH, iteration, size, previous) {
+            step::<E, D, P, H>(vectors, scale)?;
             return Ok(iteration);
         }
         if abs(zeta[0]) > 1e6 * E::extent(0) || abs(zeta[P - 1]) > 1e6 * E::extent(P - 1) {
@@ -107,65 +119,96 @@ fn finished(search: Search, iteration: u32, size: f64, previous: f64) -> bool {
     if size <= 1e-15 {
         return true;
     }
-    let ratio = size / previous;
-    iteration > 1 && ratio < 0.1 && size * ratio * ratio <= 1e-17
+    iteration > 1 && size < 0.1 * previous && size * size * size <= 1e-16 * (previous * previous)
 }
 
-/// |f_i| is no larger than the rounding of its terms.
+/// A Newton step.
+pub(super) struct Step<const P: usize> {
+    /// −F⁻¹ f [eq:newton-step] [eq:det-F]
+    pub(super) change: [f64; P],
+    /// |f_i| is no larger than the rounding of its terms, with room for their sum.
+    pub(super) at_rounding_level: bool,
+}
+
+/// |f| ≤ 64 ε |b| scale
 #[inline(always)]
-fn at_rounding_level<const D: usize, const P: usize, const H: usize>(
-    vectors: &Vectors<D, P, H>,
-    scale: f64,
-) -> bool {
-    let mut small = true;
-    for b in &vectors.b {
-        let mut length: f64 = 0.0;
-        for k in 0..D {
-            length = length.max(abs(b[k]));
-        }
-        small &= abs(dot(&vectors.r, b)) <= f64::EPSILON * length * scale;
-    }
-    small
+fn is_rounding(f: f64, metric: f64, scale: f64) -> bool {
+    let rounding = 64.0 * f64::EPSILON * scale;
+    f * f <= rounding * rounding * metric
 }
 
 /// −F⁻¹ f, or why F cannot be inverted: zero area or length, parallel tangents, focal surface, a foot
 /// that is no minimum of the distance.
 #[inline(always)]
-fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     vectors: &Vectors<D, P, H>,
-) -> Result<[f64; P], Status> {
+    scale: f64,
+) -> Result<Step<P>, Status> {
     let Vectors { r, b, second } = vectors;
     let mut change = [0.0; P];
+    let at_rounding_level;
+    // r·r_,ij; a constant zero where there is no such derivative
+    let bend = |h: usize| {
+        if E::CURVED[h] {
+            dot(r, &second[h])
+        } else {
+            0.0
+        }
+    };
     if P == 1 {
         let a = dot(&b[0], &b[0]);
         if a < SMALLEST * SMALLEST {
             return Err(Status::Degenerate);
         }
-        let f = a + dot(r, &second[0]);
+        let f = a + bend(0);
         if f <= SINGULAR * a {
             return Err(Status::NotUnique);
         }
-        change[0] = -dot(r, &b[0]) / f;
+        let f1 = dot(r, &b[0]);
+        at_rounding_level = is_rounding(f1, a, scale);
+        change[0] = -f1 / f;
     } else {
         let (a11, a12, a22) = (dot(&b[0], &b[0]), dot(&b[0], &b[1]), dot(&b[1], &b[1]));
         let determinant = area_squared(&b[0], &b[1]);
-        if a11.min(a22) < SMALLEST * SMALLEST {
+        if a11 < SMALLEST * SMALLEST || a22 < SMALLEST * SMALLEST {
             return Err(Status::Degenerate);
         }
         if determinant <= SINGULAR * SINGULAR * a11 * a22 {
             return Err(E::PARALLEL);
         }
-        let (h11, h12, h22) = (dot(r, &second[0]), dot(r, &second[1]), dot(r, &second[2]));
-        let f = determinant + (a11 * h22 + a22 * h11 - 2.0 * a12 * h12) + (h11 * h22 - h12 * h12);
-        if f <= SINGULAR * determinant || a11 + h11 <= 0.0 {
+        let (h11, h12, h22) = (bend(0), bend(1), bend(2));
+        let f = determinant + change_of_determinant::<E, D, P, H>([a11, a12, a22], [h11, h12, h22]);
+        let (f11, f12, f22) = (a11 + h11, a12 + h12, a22 + h22);
+        if f <= SINGULAR * determinant || f11 <= 0.0 {
             return Err(Status::NotUnique);
         }
         let (f1, f2) = (dot(r, &b[0]), dot(r, &b[1]));
-        let inverse = 1.0 / f;
-        change[0] = -((a22 + h22) * f1 - (a12 + h12) * f2) * inverse;
-        change[1] = -((a11 + h11) * f2 - (a12 + h12) * f1) * inverse;
+        at_rounding_level = is_rounding(f1, a11, scale) && is_rounding(f2, a22, scale);
+        change[0] = (f12 * f2 - f22 * f1) / f;
+        change[1] = (f12 * f1 - f11 * f2) / f;
     }
-    Ok(change)
+    Ok(Step {
+        change,
+        at_rounding_level,
+    })
+}
+
+/// det(a + h) − det a, without the products that vanish identically.
+#[inline(always)]
+fn change_of_determinant<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    [a11, a12, a22]: [f64; 3],
+    [h11, h12, h22]: [f64; 3],
+) -> f64 {
+    let mut sum = 0.0;
+    if E::CURVED[1] {
+        sum = -h12 * (a12 + a12 + h12);
+    }
+    match (E::CURVED[0], E::CURVED[2]) {
+        (true, true) => sum + (a11 * h22 + a22 * h11 + h11 * h22),
+        (true, false) => sum + a22 * h11,
+        (false, true) => sum + a11 * h22,
+        (false, false) => sum,
+    }
 }
 
 /// |b_1×b_2|²

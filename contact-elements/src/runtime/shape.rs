@@ -47,7 +47,7 @@ impl Domain {
         match *self {
             Domain::Unbounded => 0,
             Domain::Interval(lower, upper) => {
-                let slack = slack * (upper - lower);
+                let slack = slack * self.extent(0);
                 if zeta[0] < lower - slack {
                     5
                 } else if zeta[0] > upper + slack {
@@ -58,7 +58,7 @@ impl Domain {
             }
             Domain::Rectangle(lower, upper) => {
                 let side = |i: usize| {
-                    let slack = slack * (upper[i] - lower[i]);
+                    let slack = slack * self.extent(i);
                     if zeta[i] < lower[i] - slack {
                         1
                     } else if zeta[i] > upper[i] + slack {

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
+use crate::budget;
 use crate::emit::{emit_element, emit_export, emit_geometry, emit_law};
 use crate::model::Model;
 use crate::syntax::File;
@@ -23,6 +24,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let library = Model::library();
     let result = parse(tokens).and_then(|declaration| {
         let model = Model::build(&declaration.file, Some(&library))?;
+        budget::check(&model)?;
         Ok(emit(&model, declaration.export.as_ref()))
     });
     result.unwrap_or_else(|error| error.into_compile_error())

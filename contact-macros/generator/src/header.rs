@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use crate::emit::symbol_name;
+use crate::emit::{Parameters, symbol_name};
 use crate::expand::parse;
 use crate::model::{Element, Model};
 
@@ -40,17 +40,44 @@ pub fn symbols_header(prefix: &str, elements: &[Element]) -> String {
     )
 }
 
-/// Fortran include file: the index of every element as a PARAMETER, fixed and free form alike.
+/// Request bits as they stand in the header, without their prefix.
+const REQUESTS: [(&str, u32); 8] = [
+    ("RESIDUAL", 1),
+    ("TANGENT", 2),
+    ("HISTORY", 4),
+    ("OUTPUT", 8),
+    ("ENERGY", 16),
+    ("FREEZE_STATE", 32),
+    ("SYMMETRISE", 64),
+    ("PROJECTION_GIVEN", 128),
+];
+
+/// Fortran include file, fixed and free form alike: the request bits and the index of every element as a
+/// PARAMETER, each element with the names of its parameters in order.
 pub fn fortran_include(prefix: &str, elements: &[Element]) -> String {
     let upper = prefix.to_uppercase();
-    let mut text = String::new();
+    let mut text = String::from("! Request bits: what an evaluation is to write; their sum.\n");
+    let constant = |text: &mut String, name: &str, value: usize| {
+        let _ = writeln!(text, "      INTEGER {upper}_{name}");
+        let _ = writeln!(text, "      PARAMETER ({upper}_{name} = {value})");
+    };
+    for (name, bit) in REQUESTS {
+        constant(&mut text, name, bit as usize);
+    }
+    text.push_str("! Indices of the elements; below each its parameters, in order.\n");
     for (index, element) in elements.iter().enumerate() {
-        let name = format!(
-            "{upper}_{}",
-            symbol_name(&element.name.to_string()).to_uppercase()
-        );
-        let _ = writeln!(text, "      INTEGER {name}");
-        let _ = writeln!(text, "      PARAMETER ({name} = {index})");
+        let name = symbol_name(&element.name.to_string()).to_uppercase();
+        constant(&mut text, &name, index);
+        let mut line = String::from("!");
+        for entry in Parameters::new(element).entries {
+            if line.len() + 1 + entry.name.len() > 72 {
+                let _ = writeln!(text, "{line}");
+                line = String::from("!");
+            }
+            line.push(' ');
+            line.push_str(&entry.name);
+        }
+        let _ = writeln!(text, "{line}");
     }
     text
 }

@@ -12,6 +12,7 @@
 //! [`expand`] runs them in order.
 #![forbid(unsafe_code)]
 
+pub mod budget;
 pub mod diagnostics;
 pub mod emit;
 pub mod expand;

@@ -325,6 +325,22 @@ fn planar(stream: &mut Stream) -> [f64; 3] {
     [angle.cos(), angle.sin(), 0.0]
 }
 
+/// The normal turns little nearby: the point is far from an axis or apex, where the distance has a kink.
+fn is_smooth(frame: &Frame<'_>, position: [f64; 3], normal: [f64; 3], stream: &mut Stream) -> bool {
+    let mut step = scale(stream.direction(), 0.01);
+    if frame.pair.dimension == 2 {
+        step[2] = 0.0;
+    }
+    [1.0, -1.0].iter().all(|&side| {
+        let near = Relative {
+            position: add(position, scale(step, side)),
+            tangents: [[0.0; 3]; 2],
+        };
+        let turned = sub(frame.normal(&near), normal);
+        dot(turned, turned) < 0.2 * 0.2
+    })
+}
+
 /// A random point at the given gap from a rigid distance, relative to its origin, and the normal
 /// there.
 fn on_level(pair: &Pair, gap: f64, stream: &mut Stream) -> Option<([f64; 3], [f64; 3])> {
@@ -342,7 +358,7 @@ fn on_level(pair: &Pair, gap: f64, stream: &mut Stream) -> Option<([f64; 3], [f6
         let miss = frame.gap(&here) - gap;
         let normal = frame.normal(&here);
         if miss.abs() < 1e-12 {
-            return Some((position, normal));
+            return is_smooth(&frame, position, normal, stream).then_some((position, normal));
         }
         position = sub(position, scale(normal, miss));
     }

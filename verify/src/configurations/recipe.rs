@@ -185,13 +185,13 @@ fn draw_law(law: &mut Law, stream: &mut Stream) {
     }
 }
 
-/// Penetrations between 1e-3 and 0.1 (small ones as likely as large ones), or gaps at which the
+/// Penetrations between 1e-2 and 0.1 (small ones as likely as large ones), or gaps at which the
 /// law does not act.
 fn draw_gap(law: &Law, wanted: Wanted, stream: &mut Stream) -> f64 {
     match (law, wanted) {
         (Law::Barrier { distance, .. }, Wanted::Open) => distance * stream.uniform(1.05, 1.5),
         (Law::Barrier { distance, .. }, _) => distance * stream.uniform(0.05, 0.9),
         (_, Wanted::Open) => stream.log_uniform(1e-3, 0.3),
-        _ => -stream.log_uniform(1e-3, 0.1),
+        _ => -stream.log_uniform(1e-2, 0.1),
     }
 }

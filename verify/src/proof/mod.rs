@@ -16,9 +16,14 @@
 
 
 
+pub mod coverage;
+pub mod edges;
+pub mod interpreted;
+pub mod invariance;
+pub mod mutation;
 pub mod random;
-
-
+pub mod reference;
+pub mod slopes;
 pub mod tables;
 
 use serde::Serialize;

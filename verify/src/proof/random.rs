@@ -9,7 +9,7 @@ use super::{Finding, Worst};
 use crate::configurations::{Configuration, Freedom, GenerateError, Generator, Stream, Wanted};
 use crate::oracle::solve::{self, Evaluation, PointStatus};
 use crate::subject::{self, Answer, Input, Subject};
-use crate::tolerance::{RANDOM, relative_error};
+use crate::tolerance::{ENERGY, RANDOM, for_depth, relative_error};
 
 /// Work of a full hyper-dual tangent (entries times points) above which random directions are taken.
 const FULL_WORK: usize = 250;
@@ -171,8 +171,15 @@ fn closed(
     random.energy.absorb(energy, index);
     let tangent = tangent_error(subject, answer, &truth, &directions);
     random.tangent.absorb(tangent, index);
-    let worst = residual.max(energy).max(tangent);
-    random.finding.compare(&format!("state {index}"), worst, RANDOM);
+    let worst = residual.max(tangent).max(energy * (RANDOM / ENERGY));
+    let allowed = for_depth(RANDOM, depth(configuration));
+    random.finding.compare(&format!("state {index}"), worst, allowed);
+}
+
+/// Deepest gap of the closed points in sizes.
+fn depth(configuration: &Configuration) -> f64 {
+    let closed = configuration.points.iter().filter(|point| point.status == PointStatus::Closed);
+    closed.fold(0.0_f64, |depth, point| depth.max(point.gap.abs())) / configuration.size
 }
 
 /// Random directions for large elements; none where the full tangent is taken.

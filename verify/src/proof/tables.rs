@@ -1,7 +1,9 @@
 //! Tables against the emitted code (bit for bit) and against duals (derivatives).
 
-use contact_elements::program::{GeometryPrograms, LawPrograms, Program};
-use num_dual::{Dual64, DualNum};
+use contact_elements::program::{
+    GeometryPrograms, LawPrograms, MasterDescription, Program, SlaveDescription,
+};
+use num_dual::Dual64;
 
 use super::Finding;
 use crate::configurations::Stream;
@@ -12,10 +14,47 @@ use crate::tolerance::{DERIVATIVES, relative_error};
 /// Inputs tried per program.
 const TRIES: u64 = 50;
 
+/// The geometries of the built-in library and of the subjects, each once.
+fn geometries(subjects: &[Subject]) -> Vec<&'static GeometryPrograms> {
+    let mut list: Vec<&GeometryPrograms> = contact_elements::geometry::GEOMETRIES.to_vec();
+    for subject in subjects {
+        let slave = match subject.description.slave {
+            SlaveDescription::Projected(geometry)
+            | SlaveDescription::Given(geometry)
+            | SlaveDescription::Integrated(geometry, _) => Some(geometry),
+            SlaveDescription::Point | SlaveDescription::Interpolated => None,
+        };
+        let master = match subject.description.master {
+            MasterDescription::Shape(geometry)
+            | MasterDescription::Rigid(geometry)
+            | MasterDescription::Distance(geometry) => Some(geometry),
+            MasterDescription::Point => None,
+        };
+        for geometry in slave.into_iter().chain(master) {
+            if list.iter().all(|known| known.name != geometry.name) {
+                list.push(geometry);
+            }
+        }
+    }
+    list
+}
+
+/// The laws of the built-in library and of the subjects, each once.
+fn laws(subjects: &[Subject]) -> Vec<&'static LawPrograms> {
+    let mut list: Vec<&LawPrograms> = contact_elements::laws::LAWS.to_vec();
+    for subject in subjects {
+        let law = subject.description.law;
+        if list.iter().all(|known| known.name != law.name) {
+            list.push(law);
+        }
+    }
+    list
+}
+
 /// All programs of the built-in library and of the subjects.
 pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
     let mut finding = Finding::default();
-    for geometry in contact_elements::geometry::GEOMETRIES {
+    for geometry in geometries(subjects) {
         for program in [Some(&geometry.values), geometry.third.as_ref(), geometry.projection.as_ref()]
             .into_iter()
             .flatten()
@@ -24,7 +63,7 @@ pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
         }
         geometry_derivatives(&mut finding, geometry, seed);
     }
-    for law in contact_elements::laws::LAWS {
+    for law in laws(subjects) {
         for program in [Some(&law.law), Some(&law.active), law.valid.as_ref()].into_iter().flatten() {
             bits(&mut finding, law.name, program, seed);
         }
@@ -164,6 +203,8 @@ fn law_derivatives(finding: &mut Finding, law: &LawPrograms, seed: u64) {
 
 #[cfg(test)]
 mod tests {
+    use num_dual::DualNum;
+
     use super::*;
 
     /// A table whose constant is off by one unit in its last place is noticed.

@@ -3,10 +3,12 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::divisors::Divisors;
 use super::parameters::{Parameters, master_shape, rigid, slave_shape};
 use super::rule::{WeightedPoint, gauss};
 use super::{domain, imports, program::Emitted};
 use crate::ir::interpret;
+use crate::linearise::law::{bound_program, law_program};
 use crate::linearise::{Kinematics, distance, gap, geometry, measure, normal, second_derivatives};
 use crate::model::{
     Body, Element, Gap, Geometry, Law, Linearisation, Master, Measure, Rule, Slave,
@@ -23,6 +25,7 @@ struct Facts<'a> {
     gap: Emitted,
     tangent: Option<Emitted>,
     measure: Option<Emitted>,
+    divisors: Divisors,
 }
 
 /// The type of an element with all that belongs to it.
@@ -40,6 +43,7 @@ pub fn emit_element(element: &Element) -> TokenStream {
     .flatten()
     .map(Emitted::whole_function)
     .collect();
+    let divisors = facts.divisors.functions();
     let statics = facts.statics();
     let implementation = facts.implementation();
     let descriptor = facts.descriptor();
@@ -55,6 +59,7 @@ pub fn emit_element(element: &Element) -> TokenStream {
             use super::*;
             #imports
             #functions
+            #divisors
             #statics
             #implementation
             #descriptor
@@ -95,7 +100,13 @@ impl<'a> Facts<'a> {
             )),
             _ => None,
         };
+        let is_distance = matches!(element.master, Master::Distance { .. });
+        let moves = element.measure == Measure::Current;
         Self {
+            divisors: Divisors::new(
+                is_distance.then_some(&tangent),
+                measure.as_ref().filter(|_| moves),
+            ),
             slave_nodes: match &element.slave {
                 Slave::Point => 1,
                 Slave::Interpolated => 0,
@@ -195,6 +206,7 @@ impl<'a> Facts<'a> {
         let (slave_nodes, master_nodes) = (self.slave_nodes, self.master_nodes);
         let domains = self.domains();
         let two_curves = self.projected_slave();
+        let curved = (0..3).map(|h| self.kinematics.curved.get(h).copied().unwrap_or(false));
         let parallel = if two_curves {
             quote! { runtime::Status::NotUnique }
         } else {
@@ -204,6 +216,7 @@ impl<'a> Facts<'a> {
             self.slave_method(),
             self.kinematics_method(),
             self.projection_method(),
+            self.divisors_method(),
             self.gap_method(),
             self.tangent_method(),
             self.measure_method(),
@@ -214,6 +227,7 @@ impl<'a> Facts<'a> {
                 const LAYOUT: runtime::Layout = #layout;
                 const SEARCH: runtime::Search = #search;
                 const MOVING: bool = #moving;
+                const CURVED: [bool; 3] = [#(#curved),*];
                 const SIGNED: bool = #signed;
                 const CURRENT: bool = #current;
                 const SLAVE_NODES: usize = #slave_nodes;
@@ -397,10 +411,11 @@ impl<'a> Facts<'a> {
     fn gap_method(&self) -> TokenStream {
         let (d, p, h) = self.sizes();
         let r0 = self.parameters.r0();
-        let mut inputs = components("r", None, d);
-        if self.is_distance() {
-            inputs.extend(self.own_parameters());
-        }
+        let mut inputs = if self.is_distance() {
+            self.distance_inputs()
+        } else {
+            components("r", None, d)
+        };
         for i in 0..p {
             inputs.extend(components("b", Some(i), d));
         }
@@ -422,6 +437,32 @@ impl<'a> Facts<'a> {
         }
     }
 
+    fn divisors_method(&self) -> TokenStream {
+        let mut distance = self.distance_inputs();
+        // orientation, N and N' are factors only
+        distance.extend([quote!(1.0), quote!(1.0), quote!(1.0)]);
+        let default = quote! { return true };
+        let measure = match &self.element.slave {
+            Slave::Integrated {
+                geometry,
+                rule: Rule::Gauss(_),
+            } => (
+                self.gauss_tangents(geometry, &default),
+                tangent_inputs(geometry, self.element.dimension),
+            ),
+            _ => Default::default(),
+        };
+        self.divisors
+            .method(self.sizes(), &distance, (measure.0, &measure.1))
+    }
+
+    /// The coordinates and parameters of a distance function as expressions.
+    fn distance_inputs(&self) -> Vec<TokenStream> {
+        let mut inputs = components("r", None, self.element.dimension);
+        inputs.extend(self.own_parameters());
+        inputs
+    }
+
     /// The parameters of a distance function as expressions.
     fn own_parameters(&self) -> Vec<TokenStream> {
         let (rigid, _) = rigid(self.element);
@@ -439,8 +480,7 @@ impl<'a> Facts<'a> {
         } else {
             let mut inputs;
             if self.is_distance() {
-                inputs = components("r", None, d);
-                inputs.extend(self.own_parameters());
+                inputs = self.distance_inputs();
                 inputs.push(quote! { orientation });
             } else {
                 inputs = (0..d).map(|k| quote! { gap.n[#k] }).collect();
@@ -509,7 +549,9 @@ impl<'a> Facts<'a> {
         }
     }
 
-    fn gauss_measure(&self, geometry: &Geometry) -> TokenStream {
+    /// Statements that define `weight` and the tangents `t` of the slave at integration point `point`, of
+    /// the configuration that the measure is taken in.
+    fn gauss_tangents(&self, geometry: &Geometry, otherwise: &TokenStream) -> TokenStream {
         let d = self.element.dimension;
         let (n, p) = (nodes(geometry), geometry.coordinates.len());
         let shape = shape_call(geometry);
@@ -522,12 +564,26 @@ impl<'a> Facts<'a> {
         } else {
             quote! { let slopes = SLOPES.get(point).copied(); }
         };
-        let current = self.element.measure == Measure::Current;
-        let positions = if current {
+        let positions = if self.element.measure == Measure::Current {
             quote!(x)
         } else {
             quote!(reference)
         };
+        quote! {
+            #slopes
+            let (Some(slopes), Some(&weight)) = (slopes, WEIGHTS.get(point)) else {
+                #otherwise;
+            };
+            let t = runtime::slave_tangents::<#d, #p, #n>(&slopes, #positions);
+        }
+    }
+
+    fn gauss_measure(&self, geometry: &Geometry) -> TokenStream {
+        let d = self.element.dimension;
+        let (n, p) = (nodes(geometry), geometry.coordinates.len());
+        let current = self.element.measure == Measure::Current;
+        let tangents =
+            self.gauss_tangents(geometry, &quote! { return runtime::Measure::default() });
         let function = Ident::new(
             if current {
                 "measure_current"
@@ -536,7 +592,7 @@ impl<'a> Facts<'a> {
             },
             self.element.name.span(),
         );
-        let inputs = (0..p).flat_map(|i| (0..d).map(move |k| quote! { t[#i][#k] }));
+        let inputs = tangent_inputs(geometry, d);
         let spread = current.then(|| {
             let slots = (0..p).map(|i| {
                 let entries = (0..d).map(|k| {
@@ -551,11 +607,7 @@ impl<'a> Facts<'a> {
             }
         });
         quote! {
-            #slopes
-            let (Some(slopes), Some(&weight)) = (slopes, WEIGHTS.get(point)) else {
-                return runtime::Measure::default();
-            };
-            let t = runtime::slave_tangents::<#d, #p, #n>(&slopes, #positions);
+            #tangents
             let o = #function(&[#(#inputs),*]);
             let mut measure = runtime::Measure::default();
             measure.weight = weight * o[0];
@@ -569,7 +621,7 @@ impl<'a> Facts<'a> {
         let (d, p, h) = self.sizes();
         let q = self.points.len();
         let n = self.slave_nodes + self.master_nodes;
-        let padded = (n * d).next_multiple_of(8);
+        let padded = (n * d).next_multiple_of(4);
         let (slave_nodes, master_nodes) = (self.slave_nodes, self.master_nodes);
         let text = format!("{name}\0");
         let documentation = format!("{}\0", self.element.docs.trim());
@@ -583,7 +635,9 @@ impl<'a> Facts<'a> {
         let kernel = if interpolated {
             quote! {
                 |call, nodes, memory, target| {
-                    runtime::interpolated::<#name, _, #d, #p, #h>(call, nodes, memory, target)
+                    runtime::interpolated::<#name, _, #d, #p, #h>(
+                        call, nodes, &[#(#vectors),*], memory, target,
+                    )
                 }
             }
         } else {
@@ -656,7 +710,7 @@ impl<'a> Facts<'a> {
 
     /// Operations of one evaluation of the point programs, the law included.
     fn operations(&self) -> usize {
-        let law = Emitted::new(&crate::linearise::law::law_program(&self.element.law), "");
+        let law = Emitted::new(&law_program(&self.element.law), "");
         self.emitted()
             .chain([&law])
             .map(|emitted| emitted.program.operations())
@@ -689,8 +743,18 @@ impl<'a> Facts<'a> {
             };
             absorb(&Emitted::new(&program, "").table().to_string());
         }
-        let law = crate::linearise::law::law_program(&self.element.law);
-        absorb(&Emitted::new(&law, "").table().to_string());
+        let law = &self.element.law;
+        absorb(&Emitted::new(&law_program(law), "").table().to_string());
+        let bounds = [Some(&law.active), law.valid.as_ref()];
+        for bound in bounds.into_iter().flatten() {
+            let program = bound_program(law, "bound", bound);
+            absorb(&Emitted::new(&program, "").table().to_string());
+        }
+        for domain in self.domains() {
+            absorb(&domain.to_string());
+        }
+        absorb(&format!("{:?} {:?}", self.points, self.vector_flags()));
+        absorb(&self.parameters.layout().to_string());
         hash
     }
 
@@ -829,6 +893,13 @@ fn nodes(geometry: &Geometry) -> usize {
         Body::Shape { functions, .. } => functions.len(),
         _ => 0,
     }
+}
+
+/// `t[i][k]` for all tangents of the slave.
+fn tangent_inputs(geometry: &Geometry, d: usize) -> Vec<TokenStream> {
+    (0..geometry.coordinates.len())
+        .flat_map(|i| (0..d).map(move |k| quote! { t[#i][#k] }))
+        .collect()
 }
 
 fn is_rational(geometry: &Geometry) -> bool {

@@ -1,5 +1,6 @@
 //! From programs to Rust: types, trait implementations, descriptors, tables, C symbols.
 
+mod divisors;
 mod element;
 mod export;
 mod geometry;
@@ -12,7 +13,7 @@ pub use element::emit_element;
 pub use export::{emit_export, symbol_name};
 pub use geometry::emit_geometry;
 pub use law::emit_law;
-pub use program::MOST_OPERATIONS;
+pub use parameters::Parameters;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -30,6 +31,15 @@ fn imports() -> TokenStream {
         #[allow(unused_imports)]
         use ::contact_elements::runtime;
     }
+}
+
+/// Emitted tokens as formatted source.
+///
+/// # Errors
+/// Where the tokens are no Rust file.
+pub fn readable(tokens: &TokenStream) -> syn::Result<String> {
+    let file = syn::parse2(tokens.clone())?;
+    Ok(prettyplease::unparse(&file))
 }
 
 /// A parameter domain as an expression.

@@ -6,9 +6,6 @@ use quote::{format_ident, quote};
 use crate::ir::{Binary, Node, NodeId, Program, Unary};
 use crate::optimise::optimise;
 
-/// Operations above which a declaration is refused: such code outgrows the instruction cache.
-pub const MOST_OPERATIONS: usize = 10_000;
-
 /// An optimised program with the name of its emitted function.
 pub struct Emitted {
     /// The program after all passes.
@@ -31,6 +28,20 @@ impl Emitted {
 
     /// The function: `fn name(i: &[f64; n]) -> [f64; m]`.
     pub fn function(&self, indices: &[usize]) -> TokenStream {
+        self.function_with(indices, operation)
+    }
+
+    /// The function with all outputs, which divides by 1 instead of 0 and takes a negative radicand as 0:
+    /// it raises no floating-point exception where the plain one would.
+    pub fn guarded_function(&self) -> TokenStream {
+        self.function_with(&self.all_outputs(), guarded)
+    }
+
+    fn function_with(
+        &self,
+        indices: &[usize],
+        operation: fn(&Program, Node) -> TokenStream,
+    ) -> TokenStream {
         let name = &self.function;
         let inputs = self.program.inputs.len();
         let outputs = indices.len();
@@ -40,7 +51,7 @@ impl Emitted {
             inputs,
             outputs
         );
-        let body = self.statements();
+        let body = self.statements(operation);
         let results = indices
             .iter()
             .map(|&index| operand(&self.program, self.program.outputs[index].1));
@@ -57,11 +68,14 @@ impl Emitted {
 
     /// The function with all outputs.
     pub fn whole_function(&self) -> TokenStream {
-        let all: Vec<usize> = (0..self.program.outputs.len()).collect();
-        self.function(&all)
+        self.function(&self.all_outputs())
     }
 
-    fn statements(&self) -> TokenStream {
+    fn all_outputs(&self) -> Vec<usize> {
+        (0..self.program.outputs.len()).collect()
+    }
+
+    fn statements(&self, operation: fn(&Program, Node) -> TokenStream) -> TokenStream {
         let needed = self.program.needed();
         let graph = &self.program.graph;
         let lines = graph
@@ -116,7 +130,7 @@ impl Emitted {
 }
 
 fn position(id: NodeId) -> u16 {
-    u16::try_from(id.0).expect("MOST_OPERATIONS keeps programs below 65536 nodes")
+    u16::try_from(id.0).expect("the budget keeps programs below 65536 nodes")
 }
 
 fn variable(index: usize) -> Ident {
@@ -172,6 +186,37 @@ fn operation(program: &Program, node: Node) -> TokenStream {
         Node::Constant(_) | Node::Input(_) | Node::Term(..) => {
             unreachable!("not an operation")
         }
+    }
+}
+
+/// [`operation`] without a floating-point exception at a zero divisor or a negative radicand.
+fn guarded(program: &Program, node: Node) -> TokenStream {
+    let of = |id: NodeId| operand(program, id);
+    let library = quote! { ::contact_elements::arithmetic };
+    match node {
+        Node::Divide(a, b) => {
+            let (a, b) = (of(a), of(b));
+            quote! { #a / #library::divisor(#b) }
+        }
+        Node::Unary(Unary::Sqrt, a) => {
+            let a = of(a);
+            quote! { #library::sqrt(#library::radicand(#a)) }
+        }
+        Node::Unary(Unary::Ln, a) => {
+            let a = of(a);
+            quote! { #library::ln(#library::divisor(#library::radicand(#a))) }
+        }
+        Node::Binary(Binary::Pow, a, b) => {
+            let whole = (program.graph.value(b)).is_some_and(|exponent| exponent.fract() == 0.0);
+            let (a, b) = (of(a), of(b));
+            let base = if whole {
+                a
+            } else {
+                quote! { #library::radicand(#a) }
+            };
+            quote! { #library::pow(#library::divisor(#base), #b) }
+        }
+        _ => operation(program, node),
     }
 }
 

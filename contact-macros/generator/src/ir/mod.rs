@@ -18,7 +18,7 @@ pub use vector::Vector;
 /// One term of a linearisation, as the proof knows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Term {
-    /// Equation tag of the documentation, for example `13-rotational`.
+    /// Equation tag of the documentation, for example `13-curvature`.
     pub tag: &'static str,
     /// False where the term vanishes identically for this element and was left out.
     pub present: bool,

@@ -24,7 +24,7 @@ pub fn gap_program(geometry: &Geometry) -> Program {
     program
 }
 
-/// x, parameters, orientation, N, N' → p = N' n⊗n ± N ∇∇d.
+/// x, parameters, orientation, N, N' → p = N' n⊗n ± N ∇∇d. [eq:12-main] [eq:distance-curvature]
 pub fn tangent_program(geometry: &Geometry) -> Program {
     let mut program = Program::new("tangent");
     let (value, x) = lowered(&mut program, geometry);

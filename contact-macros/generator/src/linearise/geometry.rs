@@ -92,6 +92,7 @@ pub fn curved(geometry: &Geometry) -> Vec<bool> {
         .collect()
 }
 
+/// N_A at ζ; rational ones are weighted and divided by their sum. [eq:rational]
 fn shape_functions(program: &mut Program, geometry: &Geometry) -> (Vec<NodeId>, usize) {
     let Body::Shape {
         functions,
@@ -132,6 +133,7 @@ fn shape_functions(program: &mut Program, geometry: &Geometry) -> (Vec<NodeId>, 
     (values, geometry.coordinates.len())
 }
 
+/// ρ(ζ; parameters). [eq:rigid]
 fn rigid_position(program: &mut Program, geometry: &Geometry) -> (Vec<NodeId>, usize) {
     let Body::Rigid { position, .. } = &geometry.body else {
         unreachable!("called for rigid geometries only")

@@ -3,7 +3,7 @@
 use crate::ir::{NodeId, Program, Scope, differentiate, lower};
 use crate::model::{Bound, Expr, Law};
 
-/// g, parameters → N, N' (and W where the law declares it).
+/// g, parameters → N, N' (and W where the law declares it). [eq:normal-force] [eq:law-slope] [eq:energy]
 pub fn law_program(law: &Law) -> Program {
     let mut program = Program::new("law");
     let scope = scope(&mut program, law);
@@ -26,7 +26,7 @@ pub fn law_program(law: &Law) -> Program {
     program
 }
 
-/// g, parameters → the difference whose sign decides: positive means the bound holds.
+/// g, parameters → the difference whose sign decides: positive means the bound holds. [eq:active]
 pub fn bound_program(law: &Law, name: &str, bound: &Bound) -> Program {
     let mut program = Program::new(name);
     let scope = scope(&mut program, law);

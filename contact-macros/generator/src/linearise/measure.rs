@@ -36,7 +36,7 @@ pub fn measure_program(dimension: usize, parameters: usize, variation: bool) -> 
     program
 }
 
-/// J ∂J/∂t_i
+/// J ∂J/∂t_i [eq:measure-variation-1] [eq:measure-variation-2]
 fn slopes(program: &mut Program, t: &[Vector], area: &Vector) -> Vec<Vector> {
     let graph = &mut program.graph;
     match t {

@@ -12,8 +12,10 @@
 //! | `distance` | gap and tangent of a rigid distance function | [eq:distance] |
 //! | `law` | N, N', W of a normal law | [eq:law] |
 //! | `measure` | Jacobian of the slave and its variation | [eq:measure] |
+//! | `divisors` | what another program divides by | none |
 
 pub mod distance;
+pub mod divisors;
 pub mod gap;
 pub mod geometry;
 pub mod law;

@@ -1,4 +1,4 @@
-//! Tangent of normal contact: K = N' (n·δr)(n·Δr) + N D²g in covariant closed form.
+//! Tangent of normal contact: K = N' (n·δr)(n·Δr) + N D²g in covariant closed form. [eq:tangent]
 //!
 //! With α_i = b_i·δr and β_i = n·δr_,i
 //!
@@ -166,7 +166,8 @@ fn curvature_tensor(
     Symmetric(entries)
 }
 
-/// m = F⁻¹ with F = a − Lκ [eq:F]; det F = det a − L(κ11 a22 + κ22 a11 − 2 κ12 a12) + L² det κ.
+/// m = F⁻¹ with F = a − Lκ [eq:F]; det F = det a − L(κ11 a22 + κ22 a11 − 2 κ12 a12) + L² det κ
+/// [eq:det-F]; the part −Lκ is a term of its own [eq:F-curvature].
 fn inverse_of_f(
     graph: &mut Graph,
     p: usize,

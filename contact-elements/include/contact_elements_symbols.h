@@ -1,0 +1,358 @@
+/* Index and function of every element of the library `cte`; rules: contact_elements.h. */
+#ifndef CTE_SYMBOLS_H
+#define CTE_SYMBOLS_H
+
+#include "contact_elements.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Two points: discs or balls with r0 = sum of radii. */
+#define CTE_POINT_POINT 0
+int32_t cte_point_point(cte_arguments *arguments);
+
+/* Point against a straight segment. */
+#define CTE_POINT_LINE2 1
+int32_t cte_point_line2(cte_arguments *arguments);
+
+/* Point against a quadratic curve. */
+#define CTE_POINT_LINE3 2
+int32_t cte_point_line3(cte_arguments *arguments);
+
+/* Point against a cubic Hermite curve. */
+#define CTE_POINT_HERMITE 3
+int32_t cte_point_hermite(cte_arguments *arguments);
+
+/* Point against a quadratic Bezier curve. */
+#define CTE_POINT_BEZIER_CURVE2 4
+int32_t cte_point_bezier_curve2(cte_arguments *arguments);
+
+/* Point against a cubic Bezier curve. */
+#define CTE_POINT_BEZIER_CURVE3 5
+int32_t cte_point_bezier_curve3(cte_arguments *arguments);
+
+/* Point against a rational quadratic Bezier curve. */
+#define CTE_POINT_RATIONAL_CURVE2 6
+int32_t cte_point_rational_curve2(cte_arguments *arguments);
+
+/* Point against a rational cubic Bezier curve. */
+#define CTE_POINT_RATIONAL_CURVE3 7
+int32_t cte_point_rational_curve3(cte_arguments *arguments);
+
+/* Point against a flat triangle. */
+#define CTE_POINT_TRI3 8
+int32_t cte_point_tri3(cte_arguments *arguments);
+
+/* Point against a quadratic triangle. */
+#define CTE_POINT_TRI6 9
+int32_t cte_point_tri6(cte_arguments *arguments);
+
+/* Point against a bilinear facet. */
+#define CTE_POINT_QUAD4 10
+int32_t cte_point_quad4(cte_arguments *arguments);
+
+/* Point against a biquadratic facet. */
+#define CTE_POINT_QUAD9 11
+int32_t cte_point_quad9(cte_arguments *arguments);
+
+/* Point against a biquadratic Bezier facet. */
+#define CTE_POINT_BEZIER_SURFACE2 12
+int32_t cte_point_bezier_surface2(cte_arguments *arguments);
+
+/* Point against a rational biquadratic Bezier facet. */
+#define CTE_POINT_RATIONAL_SURFACE2 13
+int32_t cte_point_rational_surface2(cte_arguments *arguments);
+
+/* Point against a bilinear facet, power law. */
+#define CTE_POINT_QUAD4_POWER_LAW 14
+int32_t cte_point_quad4_power_law(cte_arguments *arguments);
+
+/* Point against a bilinear facet, logarithmic barrier. */
+#define CTE_POINT_QUAD4_LOG_BARRIER 15
+int32_t cte_point_quad4_log_barrier(cte_arguments *arguments);
+
+/* Point against a bilinear facet, linearised on the tangent plane: exact at zero gap only. */
+#define CTE_POINT_QUAD4_TANGENT_PLANE 16
+int32_t cte_point_quad4_tangent_plane(cte_arguments *arguments);
+
+/* Point against a biquadratic facet, linearised on the tangent plane: exact at zero gap only. */
+#define CTE_POINT_QUAD9_TANGENT_PLANE 17
+int32_t cte_point_quad9_tangent_plane(cte_arguments *arguments);
+
+/* Point against a bilinear facet, residual only. */
+#define CTE_POINT_QUAD4_RESIDUAL 18
+int32_t cte_point_quad4_residual(cte_arguments *arguments);
+
+/* Point against a placed rigid plane. */
+#define CTE_POINT_PLANE 19
+int32_t cte_point_plane(cte_arguments *arguments);
+
+/* Point against a placed rigid cylinder. */
+#define CTE_POINT_CYLINDER 20
+int32_t cte_point_cylinder(cte_arguments *arguments);
+
+/* Point against a placed rigid sphere. */
+#define CTE_POINT_SPHERE 21
+int32_t cte_point_sphere(cte_arguments *arguments);
+
+/* Point against a placed rigid cone. */
+#define CTE_POINT_CONE 22
+int32_t cte_point_cone(cte_arguments *arguments);
+
+/* Point against a placed rigid torus. */
+#define CTE_POINT_TORUS 23
+int32_t cte_point_torus(cte_arguments *arguments);
+
+/* Point against a placed rigid plane, by its distance function. */
+#define CTE_POINT_PLANE_DISTANCE 24
+int32_t cte_point_plane_distance(cte_arguments *arguments);
+
+/* Point against a placed rigid cylinder, by its distance function. */
+#define CTE_POINT_CYLINDER_DISTANCE 25
+int32_t cte_point_cylinder_distance(cte_arguments *arguments);
+
+/* Point against a placed rigid sphere, by its distance function. */
+#define CTE_POINT_SPHERE_DISTANCE 26
+int32_t cte_point_sphere_distance(cte_arguments *arguments);
+
+/* Point against a placed rigid cone, by its distance function. */
+#define CTE_POINT_CONE_DISTANCE 27
+int32_t cte_point_cone_distance(cte_arguments *arguments);
+
+/* Point against a placed rigid torus, by its distance function. */
+#define CTE_POINT_TORUS_DISTANCE 28
+int32_t cte_point_torus_distance(cte_arguments *arguments);
+
+/* Point against a placed rigid circle (a ring of wire). */
+#define CTE_POINT_CIRCLE 29
+int32_t cte_point_circle(cte_arguments *arguments);
+
+/* Point against a placed rigid helix (a coil of wire). */
+#define CTE_POINT_HELIX 30
+int32_t cte_point_helix(cte_arguments *arguments);
+
+/* Two straight beams. */
+#define CTE_LINE2_LINE2_BEAMS 31
+int32_t cte_line2_line2_beams(cte_arguments *arguments);
+
+/* Two quadratic beams. */
+#define CTE_LINE3_LINE3_BEAMS 32
+int32_t cte_line3_line3_beams(cte_arguments *arguments);
+
+/* Two cubic Hermite beams. */
+#define CTE_HERMITE_HERMITE_BEAMS 33
+int32_t cte_hermite_hermite_beams(cte_arguments *arguments);
+
+/* A straight beam and a cubic Hermite beam. */
+#define CTE_LINE2_HERMITE_BEAMS 34
+int32_t cte_line2_hermite_beams(cte_arguments *arguments);
+
+/* Two cubic Bezier beams. */
+#define CTE_BEZIER_CURVE3_BEZIER_CURVE3_BEAMS 35
+int32_t cte_bezier_curve3_bezier_curve3_beams(cte_arguments *arguments);
+
+/* Two rational quadratic Bezier beams. */
+#define CTE_RATIONAL_CURVE2_RATIONAL_CURVE2_BEAMS 36
+int32_t cte_rational_curve2_rational_curve2_beams(cte_arguments *arguments);
+
+/* A cubic Hermite beam and a placed rigid circle. */
+#define CTE_HERMITE_CIRCLE_BEAMS 37
+int32_t cte_hermite_circle_beams(cte_arguments *arguments);
+
+/* Two straight edges of solids. */
+#define CTE_LINE2_LINE2_EDGES 38
+int32_t cte_line2_line2_edges(cte_arguments *arguments);
+
+/* Two quadratic edges of solids. */
+#define CTE_LINE3_LINE3_EDGES 39
+int32_t cte_line3_line3_edges(cte_arguments *arguments);
+
+/* Two cubic Hermite edges of solids. */
+#define CTE_HERMITE_HERMITE_EDGES 40
+int32_t cte_hermite_hermite_edges(cte_arguments *arguments);
+
+/* A straight edge and a cubic Hermite edge. */
+#define CTE_LINE2_HERMITE_EDGES 41
+int32_t cte_line2_hermite_edges(cte_arguments *arguments);
+
+/* Two cubic Bezier edges of solids. */
+#define CTE_BEZIER_CURVE3_BEZIER_CURVE3_EDGES 42
+int32_t cte_bezier_curve3_bezier_curve3_edges(cte_arguments *arguments);
+
+/* Two straight beams, linearised on the tangent plane. */
+#define CTE_LINE2_LINE2_BEAMS_TANGENT_PLANE 43
+int32_t cte_line2_line2_beams_tangent_plane(cte_arguments *arguments);
+
+/* Line contact of two straight beams: integrated along the slave. */
+#define CTE_LINE2_LINE2_LINE_CONTACT 44
+int32_t cte_line2_line2_line_contact(cte_arguments *arguments);
+
+/* Line contact of two cubic Hermite beams: integrated along the slave. */
+#define CTE_HERMITE_HERMITE_LINE_CONTACT 45
+int32_t cte_hermite_hermite_line_contact(cte_arguments *arguments);
+
+/* A straight edge on a bilinear facet. */
+#define CTE_LINE2_QUAD4 46
+int32_t cte_line2_quad4(cte_arguments *arguments);
+
+/* A cubic Hermite curve on a bilinear facet. */
+#define CTE_HERMITE_QUAD4 47
+int32_t cte_hermite_quad4(cte_arguments *arguments);
+
+/* A quadratic edge on a biquadratic facet. */
+#define CTE_LINE3_QUAD9 48
+int32_t cte_line3_quad9(cte_arguments *arguments);
+
+/* A straight edge on a bilinear facet, force per current length. */
+#define CTE_LINE2_QUAD4_CURRENT 49
+int32_t cte_line2_quad4_current(cte_arguments *arguments);
+
+/* A rational quadratic curve on a placed rigid torus. */
+#define CTE_RATIONAL_CURVE2_TORUS 50
+int32_t cte_rational_curve2_torus(cte_arguments *arguments);
+
+/* One point of a straight edge, given at run time, on a bilinear facet. */
+#define CTE_LINE2_QUAD4_AT_POINT 51
+int32_t cte_line2_quad4_at_point(cte_arguments *arguments);
+
+/* One point of a cubic Hermite curve, given at run time, on a bilinear facet. */
+#define CTE_HERMITE_QUAD4_AT_POINT 52
+int32_t cte_hermite_quad4_at_point(cte_arguments *arguments);
+
+/* One point of a quadratic edge, given at run time, on a biquadratic facet. */
+#define CTE_LINE3_QUAD9_AT_POINT 53
+int32_t cte_line3_quad9_at_point(cte_arguments *arguments);
+
+/* Flat triangle on flat triangle. */
+#define CTE_TRI3_TRI3 54
+int32_t cte_tri3_tri3(cte_arguments *arguments);
+
+/* Quadratic triangle on quadratic triangle. */
+#define CTE_TRI6_TRI6 55
+int32_t cte_tri6_tri6(cte_arguments *arguments);
+
+/* Bilinear facet on bilinear facet. */
+#define CTE_QUAD4_QUAD4 56
+int32_t cte_quad4_quad4(cte_arguments *arguments);
+
+/* Biquadratic facet on biquadratic facet. */
+#define CTE_QUAD9_QUAD9 57
+int32_t cte_quad9_quad9(cte_arguments *arguments);
+
+/* Quadratic triangle on biquadratic facet. */
+#define CTE_TRI6_QUAD9 58
+int32_t cte_tri6_quad9(cte_arguments *arguments);
+
+/* Bilinear facet on bilinear facet, traction per current area. */
+#define CTE_QUAD4_QUAD4_CURRENT 59
+int32_t cte_quad4_quad4_current(cte_arguments *arguments);
+
+/* Bilinear facet on bilinear facet, linearised on the tangent plane. */
+#define CTE_QUAD4_QUAD4_TANGENT_PLANE 60
+int32_t cte_quad4_quad4_tangent_plane(cte_arguments *arguments);
+
+/* Rational biquadratic facet on rational biquadratic facet. */
+#define CTE_RATIONAL_SURFACE2_RATIONAL_SURFACE2 61
+int32_t cte_rational_surface2_rational_surface2(cte_arguments *arguments);
+
+/* Bilinear facet on a placed rigid sphere, by its distance function. */
+#define CTE_QUAD4_SPHERE_DISTANCE 62
+int32_t cte_quad4_sphere_distance(cte_arguments *arguments);
+
+/* Bilinear facet on a placed rigid cylinder, traction per current area. */
+#define CTE_QUAD4_CYLINDER_CURRENT 63
+int32_t cte_quad4_cylinder_current(cte_arguments *arguments);
+
+/* One point of a flat triangle, given at run time, on a flat triangle. */
+#define CTE_TRI3_TRI3_AT_POINT 64
+int32_t cte_tri3_tri3_at_point(cte_arguments *arguments);
+
+/* One point of a quadratic triangle, given at run time, on a quadratic triangle. */
+#define CTE_TRI6_TRI6_AT_POINT 65
+int32_t cte_tri6_tri6_at_point(cte_arguments *arguments);
+
+/* One point of a bilinear facet, given at run time, on a bilinear facet. */
+#define CTE_QUAD4_QUAD4_AT_POINT 66
+int32_t cte_quad4_quad4_at_point(cte_arguments *arguments);
+
+/* One point of a biquadratic facet, given at run time, on a biquadratic facet. */
+#define CTE_QUAD9_QUAD9_AT_POINT 67
+int32_t cte_quad9_quad9_at_point(cte_arguments *arguments);
+
+/* One point of a quadratic triangle, given at run time, on a biquadratic facet. */
+#define CTE_TRI6_QUAD9_AT_POINT 68
+int32_t cte_tri6_quad9_at_point(cte_arguments *arguments);
+
+/* A point of any discretisation against a bilinear facet: shape row and weight come at run time. */
+#define CTE_INTERPOLATED_QUAD4 69
+int32_t cte_interpolated_quad4(cte_arguments *arguments);
+
+/* A point of any discretisation against a flat triangle. */
+#define CTE_INTERPOLATED_TRI3 70
+int32_t cte_interpolated_tri3(cte_arguments *arguments);
+
+/* A point of any discretisation against a cubic Hermite curve. */
+#define CTE_INTERPOLATED_HERMITE 71
+int32_t cte_interpolated_hermite(cte_arguments *arguments);
+
+/* A point of any discretisation against a point. */
+#define CTE_INTERPOLATED_POINT 72
+int32_t cte_interpolated_point(cte_arguments *arguments);
+
+/* A point of any discretisation against a placed rigid plane. */
+#define CTE_INTERPOLATED_PLANE 73
+int32_t cte_interpolated_plane(cte_arguments *arguments);
+
+/* A point of any discretisation against a placed rigid torus. */
+#define CTE_INTERPOLATED_TORUS 74
+int32_t cte_interpolated_torus(cte_arguments *arguments);
+
+/* A point of any discretisation against a placed rigid sphere, by its distance function. */
+#define CTE_INTERPOLATED_SPHERE_DISTANCE 75
+int32_t cte_interpolated_sphere_distance(cte_arguments *arguments);
+
+/* Two points in the plane. */
+#define CTE_POINT_POINT2D 76
+int32_t cte_point_point2d(cte_arguments *arguments);
+
+/* Point against a straight segment in the plane, signed gap along its left normal. */
+#define CTE_POINT_LINE2_IN2D 77
+int32_t cte_point_line2_in2d(cte_arguments *arguments);
+
+/* Point against a quadratic segment in the plane. */
+#define CTE_POINT_LINE3_IN2D 78
+int32_t cte_point_line3_in2d(cte_arguments *arguments);
+
+/* Point against a cubic Hermite curve in the plane. */
+#define CTE_POINT_HERMITE_IN2D 79
+int32_t cte_point_hermite_in2d(cte_arguments *arguments);
+
+/* Point against a rational quadratic Bezier curve in the plane. */
+#define CTE_POINT_RATIONAL_CURVE2_IN2D 80
+int32_t cte_point_rational_curve2_in2d(cte_arguments *arguments);
+
+/* Straight segment on straight segment in the plane. */
+#define CTE_LINE2_LINE2_IN2D 81
+int32_t cte_line2_line2_in2d(cte_arguments *arguments);
+
+/* Straight segment on straight segment in the plane, traction per current length. */
+#define CTE_LINE2_LINE2_IN2D_CURRENT 82
+int32_t cte_line2_line2_in2d_current(cte_arguments *arguments);
+
+/* Point against a placed rigid circle in the plane. */
+#define CTE_POINT_CIRCLE2D 83
+int32_t cte_point_circle2d(cte_arguments *arguments);
+
+/* Point against a placed rigid circle in the plane, by its distance function. */
+#define CTE_POINT_CIRCLE_DISTANCE2D 84
+int32_t cte_point_circle_distance2d(cte_arguments *arguments);
+
+/* A point of any discretisation against a placed rigid circle in the plane, by its distance function. */
+#define CTE_INTERPOLATED_CIRCLE_DISTANCE2D 85
+int32_t cte_interpolated_circle_distance2d(cte_arguments *arguments);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,272 @@
+//! Minimum of r·r/2 within the parameter domain: the answer where Newton's method finds no free stationary
+//! point. [eq:constrained-projection]
+//!
+//! Projected Newton steps on the parameters that no bound holds, steepest descent where F is indefinite,
+//! step halving until r·r falls. A minimum held by a bound is the outcome "outside" with that feature.
+
+use super::element::Element;
+use super::projection::{Projected, step};
+use super::shape::Domain;
+use super::values::{Rows, Status, Vectors, dot};
+use crate::arithmetic::abs;
+
+/// Most steps before the search is given up.
+const MOST_STEPS: u32 = 80;
+/// Most halvings of one step.
+const MOST_HALVINGS: u32 = 40;
+/// A parameter this close to a bound, relative to the extent, is on it.
+const ON_BOUND: f64 = 1e-13;
+/// Steps below this, relative to the extent, end the search.
+const SMALL_STEP: f64 = 1e-9;
+
+/// Searches the domain from `start`.
+#[cold]
+#[inline(never)]
+pub(super) fn constrained<
+    E: Element<D, P, H>,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
+    x: &[[f64; D]],
+    start: [f64; P],
+    parameters: &[f64],
+    scale: f64,
+    rows: &mut Rows<'_, P>,
+) -> Result<Projected<D, P, H>, Status> {
+    let mut zeta = inside::<E, D, P, H>(start);
+    let mut vectors = E::kinematics(x, &zeta, parameters, rows);
+    for iteration in 1..=MOST_STEPS {
+        let held = held::<E, D, P, H>(&zeta, &vectors);
+        let change = descent::<E, D, P, H>(&vectors, &held, scale);
+        let taken = search::<E, D, P, H>(x, &mut zeta, &mut vectors, change, parameters, rows);
+        if taken > SMALL_STEP {
+            continue;
+        }
+        let held = self::held::<E, D, P, H>(&zeta, &vectors);
+        if held.count > 0 {
+            let feature = beyond::<E, D, P, H>(&zeta, &held);
+            return Ok(Projected {
+                zeta,
+                vectors,
+                iterations: iteration,
+                feature,
+            });
+        }
+        return polish::<E, D, P, H>(x, zeta, parameters, (scale, iteration), rows);
+    }
+    Err(Status::NotConverged)
+}
+
+/// Free Newton steps at an interior minimum, down to rounding.
+fn polish<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    x: &[[f64; D]],
+    mut zeta: [f64; P],
+    parameters: &[f64],
+    (scale, iterations): (f64, u32),
+    rows: &mut Rows<'_, P>,
+) -> Result<Projected<D, P, H>, Status> {
+    let mut vectors = E::kinematics(x, &zeta, parameters, rows);
+    for _ in 0..3 {
+        let change = step::<E, D, P, H>(&vectors, scale)?.change;
+        for i in 0..P {
+            let extent = E::extent(i);
+            zeta[i] += change[i].clamp(-extent, extent);
+        }
+        vectors = E::kinematics(x, &zeta, parameters, rows);
+    }
+    step::<E, D, P, H>(&vectors, scale)?;
+    Ok(Projected {
+        zeta,
+        vectors,
+        iterations: iterations + 3,
+        feature: E::feature(&zeta),
+    })
+}
+
+/// Which directions no bound blocks.
+struct Held<const P: usize> {
+    /// Bounds that hold the descent.
+    count: usize,
+    /// −1, 0, 1: the bound of parameter i that holds it.
+    side: [f64; P],
+    /// True where the bound ξ + η = 1 of a triangle holds.
+    diagonal: bool,
+}
+
+/// Bounds of parameter i; infinite where there is none.
+fn bounds<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    i: usize,
+) -> (f64, f64) {
+    let own = if E::TWO_CURVES {
+        E::DOMAINS.get(i)
+    } else {
+        E::DOMAINS.first()
+    };
+    match own {
+        Some(Domain::Interval(lower, upper)) => (*lower, *upper),
+        Some(Domain::Rectangle(lower, upper)) => match (lower.get(i), upper.get(i)) {
+            (Some(&lower), Some(&upper)) => (lower, upper),
+            _ => (f64::NEG_INFINITY, f64::INFINITY),
+        },
+        Some(Domain::Triangle) => (0.0, 1.0),
+        Some(Domain::Unbounded) | None => (f64::NEG_INFINITY, f64::INFINITY),
+    }
+}
+
+fn is_triangle<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>() -> bool {
+    P == 2 && !E::TWO_CURVES && matches!(E::DOMAINS[0], Domain::Triangle)
+}
+
+/// The nearest parameters of the domain.
+fn inside<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    mut zeta: [f64; P],
+) -> [f64; P] {
+    for i in 0..P {
+        let (lower, upper) = bounds::<E, D, P, H>(i);
+        zeta[i] = zeta[i].max(lower).min(upper);
+    }
+    if is_triangle::<E, D, P, H>() {
+        let excess = zeta[0] + zeta[P - 1] - 1.0;
+        if excess > 0.0 {
+            let first = (zeta[0] - 0.5 * excess).clamp(0.0, 1.0);
+            zeta[0] = first;
+            zeta[P - 1] = 1.0 - first;
+        }
+    }
+    zeta
+}
+
+/// Bounds against which the descent −f pushes.
+fn held<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    zeta: &[f64; P],
+    vectors: &Vectors<D, P, H>,
+) -> Held<P> {
+    let mut held = Held {
+        count: 0,
+        side: [0.0; P],
+        diagonal: false,
+    };
+    let mut f = [0.0; P];
+    for i in 0..P {
+        f[i] = dot(&vectors.r, &vectors.b[i]);
+    }
+    if is_triangle::<E, D, P, H>() && zeta[0] + zeta[P - 1] >= 1.0 - ON_BOUND {
+        // along the diagonal only the difference of the slopes counts
+        held.diagonal = f[0] + f[P - 1] < 0.0;
+        held.count += usize::from(held.diagonal);
+    }
+    let mean = if held.diagonal {
+        0.5 * (f[0] + f[P - 1])
+    } else {
+        0.0
+    };
+    for i in 0..P {
+        let (lower, upper) = bounds::<E, D, P, H>(i);
+        let slack = ON_BOUND * E::extent(i);
+        let slope = f[i] - mean;
+        if zeta[i] <= lower + slack && slope > 0.0 {
+            held.side[i] = -1.0;
+        } else if zeta[i] >= upper - slack && slope < 0.0 && !held.diagonal {
+            held.side[i] = 1.0;
+        }
+        held.count += usize::from(held.side[i] != 0.0);
+    }
+    held
+}
+
+/// Newton's step on what is free, or steepest descent where the curvature there is not positive.
+fn descent<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    vectors: &Vectors<D, P, H>,
+    held: &Held<P>,
+    scale: f64,
+) -> [f64; P] {
+    let Vectors { r, b, second } = vectors;
+    let mut change = [0.0; P];
+    if held.count == 0 {
+        if let Ok(newton) = step::<E, D, P, H>(vectors, scale) {
+            return newton.change;
+        }
+    }
+    if P == 2 && held.diagonal {
+        if held.count > 1 {
+            return change;
+        }
+        let mut along = b[0];
+        let mut bend = second[0];
+        for k in 0..D {
+            along[k] -= b[P - 1][k];
+            bend[k] += second[H - 1][k] - 2.0 * second[1][k];
+        }
+        let slope = dot(r, &along);
+        let square = dot(&along, &along);
+        let curvature = square + dot(r, &bend);
+        change[0] = -slope / positive(curvature, square);
+        change[P - 1] = -change[0];
+        return change;
+    }
+    for i in 0..P {
+        if held.side[i] == 0.0 {
+            let square = dot(&b[i], &b[i]);
+            let curvature = square + dot(r, &second[2 * i]);
+            change[i] = -dot(r, &b[i]) / positive(curvature, square);
+        }
+    }
+    change
+}
+
+/// The curvature where it is clearly positive, else the metric, never zero.
+fn positive(curvature: f64, square: f64) -> f64 {
+    let value = if curvature > 1e-3 * square {
+        curvature
+    } else {
+        square
+    };
+    value.max(1e-60)
+}
+
+/// Halves the step until r·r falls; returns the relative size of the step taken.
+fn search<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    x: &[[f64; D]],
+    zeta: &mut [f64; P],
+    vectors: &mut Vectors<D, P, H>,
+    change: [f64; P],
+    parameters: &[f64],
+    rows: &mut Rows<'_, P>,
+) -> f64 {
+    let before = dot(&vectors.r, &vectors.r);
+    let mut factor = 1.0;
+    for _ in 0..MOST_HALVINGS {
+        let mut trial = *zeta;
+        for i in 0..P {
+            let extent = E::extent(i);
+            trial[i] += (factor * change[i]).clamp(-extent, extent);
+        }
+        let trial = inside::<E, D, P, H>(trial);
+        let candidate = E::kinematics(x, &trial, parameters, rows);
+        if dot(&candidate.r, &candidate.r) < before {
+            let mut size: f64 = 0.0;
+            for i in 0..P {
+                size = size.max(abs(trial[i] - zeta[i]) / E::extent(i));
+            }
+            (*zeta, *vectors) = (trial, candidate);
+            return size;
+        }
+        factor *= 0.5;
+    }
+    *vectors = E::kinematics(x, zeta, parameters, rows);
+    0.0
+}
+
+/// The feature just beyond the bounds that hold.
+fn beyond<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    zeta: &[f64; P],
+    held: &Held<P>,
+) -> u8 {
+    let mut outside = *zeta;
+    for i in 0..P {
+        let outward = if held.diagonal { 1.0 } else { 0.0 } + held.side[i];
+        outside[i] += 1e-6 * E::extent(i) * outward;
+    }
+    E::feature(&outside)
+}

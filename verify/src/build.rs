@@ -1,0 +1,92 @@
+//! Generated sources and the C library: what the proof is about, laid out for use.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Bytes of emitted Rust source per element.
+pub type Sizes = BTreeMap<String, usize>;
+
+/// Writes the emitted source of every built-in element to `output/generated` and returns the sizes.
+pub fn generated_sources(output: &Path) -> Result<Sizes, Box<dyn std::error::Error>> {
+    let folder = output.join("generated");
+    std::fs::create_dir_all(&folder)?;
+    let model = contact_generator::expand::library_elements()?;
+    let mut sizes = Sizes::new();
+    for element in &model.elements {
+        let tokens = contact_generator::emit::emit_element(element);
+        let text = contact_generator::emit::readable(&tokens)?;
+        std::fs::write(folder.join(format!("{}.rs", element.name)), &text)?;
+        sizes.insert(element.name.to_string(), text.len());
+    }
+    Ok(sizes)
+}
+
+/// Where the C library's files lie.
+pub struct Places {
+    shared: PathBuf,
+    archive: PathBuf,
+    include: PathBuf,
+    generated: PathBuf,
+}
+
+impl fmt::Display for Places {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "shared library     {}", self.shared.display())?;
+        writeln!(f, "static library     {}", self.archive.display())?;
+        writeln!(f, "C and Fortran      {}", self.include.display())?;
+        writeln!(f, "generated sources  {}", self.generated.display())
+    }
+}
+
+/// Builds the C library and copies it with its headers to `output`.
+pub fn c_library(output: &Path) -> Result<Places, Box<dyn std::error::Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_string());
+    println!("building the C library");
+    let messages = Command::new(cargo)
+        .args(["build", "--release", "-p", "contact-elements-capi", "--message-format=json-render-diagnostics"])
+        .current_dir(&root)
+        .stderr(std::process::Stdio::inherit())
+        .output()?;
+    if !messages.status.success() {
+        return Err("the C library could not be built, see the messages above".into());
+    }
+    let built = built_files(&String::from_utf8_lossy(&messages.stdout));
+    let places = Places {
+        shared: output.join("lib/libcontact_elements.so"),
+        archive: output.join("lib/libcontact_elements.a"),
+        include: output.join("include"),
+        generated: output.join("generated"),
+    };
+    std::fs::create_dir_all(output.join("lib"))?;
+    std::fs::create_dir_all(&places.include)?;
+    for (ending, target) in [(".so", &places.shared), (".a", &places.archive)] {
+        if let Some(file) = built.iter().find(|file| file.ends_with(ending)) {
+            std::fs::copy(file, target)?;
+        }
+    }
+    std::fs::copy(&places.shared, output.join("lib/libcontact_elements.so.1"))?;
+    for entry in std::fs::read_dir(root.join("contact-elements/include"))? {
+        let path = entry?.path();
+        if let Some(name) = path.file_name() {
+            std::fs::copy(&path, places.include.join(name))?;
+        }
+    }
+    Ok(places)
+}
+
+/// File names in cargo's messages about the C library.
+fn built_files(messages: &str) -> Vec<String> {
+    let is_library = |message: &serde_json::Value| {
+        message["reason"] == "compiler-artifact" && message["target"]["kind"][0] == "cdylib"
+    };
+    messages
+        .lines()
+        .filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok())
+        .filter(is_library)
+        .flat_map(|message| message["filenames"].as_array().cloned().unwrap_or_default())
+        .filter_map(|file| file.as_str().map(str::to_string))
+        .collect()
+}

@@ -1,0 +1,452 @@
+//! An element put together from its tables, with one term of a linearisation changed if wanted.
+//!
+//! The tables give rows, kinematics, gap, law and coefficients; the library's level 2 contracts them. The
+//! projection is the one that the compiled element found.
+
+use contact_elements::abi::OUTPUT_SIZE;
+use contact_elements::program::{GeometryPrograms, MasterDescription, Program, SlaveDescription};
+use contact_elements::runtime::{
+    Coefficients, Placement, Receiver, Report, Temporaries, contract,
+};
+
+use crate::interpret::{Change, interpret};
+use crate::subject::{Answer, Input, Subject};
+
+/// Program of an element that holds terms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Law.
+    Law,
+    /// Coefficients of the tangent.
+    Tangent,
+    /// Measure.
+    Measure,
+}
+
+/// A changed term: where, which, how.
+pub type Mutation = (Place, Change);
+
+/// Residual, tangent and energy of an interpreted element.
+#[derive(Clone, Debug)]
+pub struct Interpreted {
+    /// R
+    pub residual: Vec<f64>,
+    /// K
+    pub tangent: Vec<f64>,
+    /// W
+    pub energy: f64,
+}
+
+/// The program of a subject at a place.
+pub fn program(subject: &Subject, place: Place) -> Option<&'static Program> {
+    match place {
+        Place::Law => Some(&subject.description.law.law),
+        Place::Tangent => subject.description.programs.tangent.as_ref(),
+        Place::Measure => subject.description.programs.measure.as_ref(),
+    }
+}
+
+/// Evaluates the closed points that `answer` reports.
+pub fn evaluate(
+    subject: &Subject,
+    input: &Input<'_>,
+    answer: &Answer,
+    mutation: Option<Mutation>,
+) -> Interpreted {
+    match (
+        subject.description.descriptor.dimension,
+        subject.description.descriptor.projected,
+    ) {
+        (2, 0) => Assembly::<2, 0>::new(subject, input, mutation).all(answer),
+        (2, _) => Assembly::<2, 1>::new(subject, input, mutation).all(answer),
+        (_, 0) => Assembly::<3, 0>::new(subject, input, mutation).all(answer),
+        (_, 1) => Assembly::<3, 1>::new(subject, input, mutation).all(answer),
+        _ => Assembly::<3, 2>::new(subject, input, mutation).all(answer),
+    }
+}
+
+/// The sums of an element in D dimensions with P projected parameters.
+struct Assembly<'a, const D: usize, const P: usize> {
+    subject: &'a Subject,
+    parameters: &'a [f64],
+    slave_row: &'a [f64],
+    mutation: Option<Mutation>,
+    /// Positions, in the frame of a placed geometry.
+    x: Vec<[f64; D]>,
+    /// Global positions and reference positions, for the measure.
+    global: Vec<[f64; D]>,
+    reference: Vec<[f64; D]>,
+    placement: Placement<D>,
+    result: Interpreted,
+}
+
+/// Rows and vectors of one point.
+struct Point<const D: usize, const P: usize> {
+    s: Vec<f64>,
+    ds: [Vec<f64>; P],
+    r: [f64; D],
+    b: [[f64; D]; P],
+    second: Vec<[f64; D]>,
+}
+
+impl<const D: usize, const P: usize> Receiver for Assembly<'_, D, P> {
+    fn open(&mut self, _: usize) {}
+    fn force(&mut self, (node, component): (usize, usize), value: f64, _: bool) {
+        self.result.residual[node * D + component] += value;
+    }
+    fn row(&mut self, unknown: usize, row: &[f64], _: bool) {
+        let n = self.result.residual.len();
+        for (entry, value) in self.result.tangent[unknown * n..].iter_mut().zip(row) {
+            *entry += value;
+        }
+    }
+    fn report(&mut self, _: usize, _: &Report) {}
+    fn energy(&mut self, energy: f64) {
+        self.result.energy += energy;
+    }
+}
+
+impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
+    fn new(subject: &'a Subject, input: &Input<'a>, mutation: Option<Mutation>) -> Self {
+        let placement = match subject.description.layout.placement {
+            Some(at) => Placement::from_parameters(&input.parameters[at..]),
+            None => Placement::identity(),
+        };
+        let (reference, _) = input.reference.as_chunks::<D>();
+        let (displacement, _) = input.displacement.as_chunks::<D>();
+        let global: Vec<[f64; D]> = reference
+            .iter()
+            .zip(displacement)
+            .map(|(x, u)| std::array::from_fn(|k| x[k] + u[k]))
+            .collect();
+        let flags = subject.description.descriptor.vectors;
+        let first = global.len() - flags.len();
+        let local = |(a, x): (usize, &[f64; D])| {
+            let is_vector = a >= first && flags[a - first];
+            placement.vector_to_local(&std::array::from_fn(|k| {
+                x[k] - if is_vector { 0.0 } else { placement.origin[k] }
+            }))
+        };
+        let x = global.iter().enumerate().map(local).collect();
+        let n = input.reference.len();
+        Self {
+            subject,
+            parameters: input.parameters,
+            slave_row: input.slave_row,
+            mutation,
+            x,
+            global,
+            reference: reference.to_vec(),
+            placement,
+            result: Interpreted {
+                residual: vec![0.0; n],
+                tangent: vec![0.0; n * n],
+                energy: 0.0,
+            },
+        }
+    }
+
+    fn all(mut self, answer: &Answer) -> Interpreted {
+        let points: Vec<Vec<f64>> = answer
+            .output
+            .chunks_exact(OUTPUT_SIZE)
+            .map(<[f64]>::to_vec)
+            .collect();
+        for (number, output) in points.iter().enumerate() {
+            if output[0] == 1.0 {
+                self.closed(number, [output[4], output[5]]);
+            }
+        }
+        self.result
+    }
+
+    fn change(&self, place: Place) -> Option<Change> {
+        self.mutation
+            .filter(|(where_, _)| *where_ == place)
+            .map(|(_, change)| change)
+    }
+
+    /// N_A and its derivatives from a geometry's table.
+    fn shape(&self, geometry: &GeometryPrograms, zeta: &[f64], weights: usize) -> Vec<f64> {
+        let mut inputs = zeta.to_vec();
+        inputs.extend_from_slice(self.parameters.get(weights..).unwrap_or(&[]));
+        interpret(&geometry.values, &inputs, None)
+    }
+
+    /// Fixed row of the slave and the slopes that its measure needs.
+    fn slave(&self, number: usize) -> (Vec<f64>, Vec<Vec<f64>>, f64) {
+        let layout = &self.subject.description.layout;
+        match &self.subject.description.slave {
+            SlaveDescription::Point => (vec![1.0], vec![], 1.0),
+            SlaveDescription::Projected(_) => (vec![], vec![], 1.0),
+            SlaveDescription::Interpolated => {
+                let (weight, row) = self.slave_row.split_last().expect("a row and a weight");
+                (row.to_vec(), vec![], *weight)
+            }
+            SlaveDescription::Given(geometry) => {
+                let p = parameter_count(geometry);
+                let at = &self.parameters[layout.point..];
+                let values = self.shape(geometry, &at[..p], layout.slave_weights);
+                (values[..width(geometry, p)].to_vec(), vec![], at[p])
+            }
+            SlaveDescription::Integrated(geometry, points) => {
+                let p = parameter_count(geometry);
+                let (eta, weight) = points[number];
+                let values = self.shape(geometry, &eta[..p], layout.slave_weights);
+                let n = width(geometry, p);
+                let slopes = (0..p).map(|i| values[n * (1 + i)..n * (2 + i)].to_vec());
+                (values[..n].to_vec(), slopes.collect(), weight)
+            }
+        }
+    }
+
+    /// Rows and vectors at ζ.
+    fn kinematics(&self, slave: &[f64], zeta: [f64; 2]) -> Point<D, P> {
+        let n = self.x.len();
+        let h = P * (P + 1) / 2;
+        let mut point = Point {
+            s: vec![0.0; n],
+            ds: std::array::from_fn(|_| vec![0.0; n]),
+            r: [0.0; D],
+            b: [[0.0; D]; P],
+            second: vec![[0.0; D]; h],
+        };
+        let mut bend: Vec<Vec<f64>> = vec![vec![0.0; n]; h];
+        point.s[..slave.len()].copy_from_slice(slave);
+        let layout = &self.subject.description.layout;
+        let two_curves = self.slave_curve(&mut point, &mut bend, zeta);
+        let own = if two_curves { &zeta[1..] } else { &zeta[..] };
+        let first = usize::from(two_curves);
+        match &self.subject.description.master {
+            MasterDescription::Point => point.s[n - 1] = -1.0,
+            MasterDescription::Distance(_) => {}
+            MasterDescription::Shape(geometry) => {
+                let p = P - first;
+                let values = self.shape(geometry, &own[..p], layout.master_weights);
+                let m = width(geometry, p);
+                let block = |row: usize| values[row * m..(row + 1) * m].iter().map(|v| -v);
+                fill(&mut point.s[n - m..], block(0));
+                for i in 0..p {
+                    fill(&mut point.ds[first + i][n - m..], block(1 + i));
+                }
+                for k in 0..p * (p + 1) / 2 {
+                    fill(&mut bend[if two_curves { 2 } else { k }][n - m..], block(1 + p + k));
+                }
+            }
+            MasterDescription::Rigid(geometry) => {
+                let p = P - first;
+                let values = self.shape(geometry, &own[..p], layout.geometry);
+                let block = |row: usize, k: usize| -values[row * D + k];
+                for k in 0..D {
+                    point.r[k] = block(0, k);
+                    for i in 0..p {
+                        point.b[first + i][k] = block(1 + i, k);
+                    }
+                    for j in 0..p * (p + 1) / 2 {
+                        point.second[if two_curves { 2 } else { j }][k] = block(1 + p + j, k);
+                    }
+                }
+            }
+        }
+        self.add_nodes(&mut point, &bend);
+        point
+    }
+
+    /// Rows of a slave curve whose parameter is projected too.
+    fn slave_curve(&self, point: &mut Point<D, P>, bend: &mut [Vec<f64>], zeta: [f64; 2]) -> bool {
+        let SlaveDescription::Projected(geometry) = &self.subject.description.slave else {
+            return false;
+        };
+        let values = self.shape(
+            geometry,
+            &zeta[..1],
+            self.subject.description.layout.slave_weights,
+        );
+        let m = width(geometry, 1);
+        point.s[..m].copy_from_slice(&values[..m]);
+        point.ds[0][..m].copy_from_slice(&values[m..2 * m]);
+        bend[0][..m].copy_from_slice(&values[2 * m..3 * m]);
+        true
+    }
+
+    fn add_nodes(&self, point: &mut Point<D, P>, bend: &[Vec<f64>]) {
+        for (a, x) in self.x.iter().enumerate() {
+            for k in 0..D {
+                point.r[k] += point.s[a] * x[k];
+                for i in 0..P {
+                    point.b[i][k] += point.ds[i][a] * x[k];
+                }
+                for (second, bend) in point.second.iter_mut().zip(bend) {
+                    second[k] += bend[a] * x[k];
+                }
+            }
+        }
+    }
+
+    fn closed(&mut self, number: usize, zeta: [f64; 2]) {
+        let (row, slopes, rule_weight) = self.slave(number);
+        let point = self.kinematics(&row, zeta);
+        let (n, distance, gap) = self.gap(&point);
+        let law = &self.subject.description.law.law;
+        let mut inputs = vec![gap];
+        inputs.extend_from_slice(self.parameters);
+        let law = interpret(law, &inputs, self.change(Place::Law));
+        let (traction, slope) = (law[0], law[1]);
+        let (weight, variation) = self.measure(&slopes, rule_weight);
+        let normal = self.placement.vector_to_global(&n);
+        for (a, &s) in point.s.iter().enumerate() {
+            for k in 0..D {
+                self.force((a, k), weight * traction * s * normal[k], false);
+            }
+        }
+        self.energy(weight * law.get(2).copied().unwrap_or(f64::NAN));
+        let coefficients = self.coefficients(&point, &n, distance, (traction, slope), weight);
+        let variation: Vec<f64> = variation.iter().map(|v| v * traction).collect();
+        self.contract(&point, &normal, &coefficients, &variation);
+    }
+
+    /// n, L, g in the frame of the geometry.
+    fn gap(&self, point: &Point<D, P>) -> ([f64; D], f64, f64) {
+        let layout = &self.subject.description.layout;
+        let mut inputs = point.r.to_vec();
+        inputs.extend(self.own_parameters());
+        inputs.extend(point.b.iter().flatten());
+        inputs.push(self.orientation());
+        inputs.push(self.parameters[layout.r0]);
+        let values = interpret(&self.subject.description.programs.gap, &inputs, None);
+        (std::array::from_fn(|k| values[k]), values[D], values[D + 1])
+    }
+
+    /// Parameters of a distance function.
+    fn own_parameters(&self) -> Vec<f64> {
+        let MasterDescription::Distance(geometry) = &self.subject.description.master else {
+            return vec![];
+        };
+        let count = geometry.values.inputs.len() - D - 2;
+        let at = self.subject.description.layout.geometry;
+        self.parameters[at..at + count].to_vec()
+    }
+
+    fn orientation(&self) -> f64 {
+        match self.subject.description.layout.orientation {
+            Some(at) if self.parameters[at] < 0.0 => -1.0,
+            _ => 1.0,
+        }
+    }
+
+    fn coefficients(
+        &self,
+        point: &Point<D, P>,
+        n: &[f64; D],
+        distance: f64,
+        (traction, slope): (f64, f64),
+        weight: f64,
+    ) -> Coefficients<D, P> {
+        let mut result = Coefficients::default();
+        let Some(program) = &self.subject.description.programs.tangent else {
+            return result;
+        };
+        let mut inputs;
+        if matches!(self.subject.description.master, MasterDescription::Distance(_)) {
+            inputs = point.r.to_vec();
+            inputs.extend(self.own_parameters());
+            inputs.push(self.orientation());
+        } else {
+            inputs = n.to_vec();
+            inputs.push(distance);
+            inputs.extend(point.b.iter().flatten());
+            inputs.extend(point.second.iter().flatten());
+        }
+        inputs.extend([traction, slope]);
+        let values = interpret(program, &inputs, self.change(Place::Tangent));
+        let values: Vec<f64> = values.iter().map(|v| weight * v).collect();
+        let (p, rest) = values.split_at(D * D);
+        fill(result.p.as_flattened_mut(), p.iter().copied());
+        if !rest.is_empty() {
+            fill(result.right.as_flattened_mut(), rest.iter().copied());
+            fill(result.left.as_flattened_mut(), rest[P * D..].iter().copied());
+            fill(result.s.as_flattened_mut(), rest[2 * P * D..].iter().copied());
+        }
+        result.p = self.placement.tensor_to_global(&result.p);
+        for vector in result.right.iter_mut().chain(&mut result.left) {
+            *vector = self.placement.vector_to_global(vector);
+        }
+        result
+    }
+
+    /// Weight times Jacobian, and its variation per unknown where the measure moves.
+    fn measure(&self, slopes: &[Vec<f64>], rule_weight: f64) -> (f64, Vec<f64>) {
+        let Some(program) = &self.subject.description.programs.measure else {
+            return (rule_weight, vec![]);
+        };
+        let current = self.subject.description.current;
+        let x = if current { &self.global } else { &self.reference };
+        let mut inputs = vec![0.0; slopes.len() * D];
+        for (i, slopes) in slopes.iter().enumerate() {
+            for (slope, x) in slopes.iter().zip(x) {
+                for k in 0..D {
+                    inputs[i * D + k] += slope * x[k];
+                }
+            }
+        }
+        let values = interpret(program, &inputs, self.change(Place::Measure));
+        let mut variation = vec![0.0; self.result.residual.len()];
+        if current {
+            for (i, slopes) in slopes.iter().enumerate() {
+                for (a, slope) in slopes.iter().enumerate() {
+                    for k in 0..D {
+                        variation[a * D + k] += rule_weight * slope * values[1 + i * D + k];
+                    }
+                }
+            }
+        }
+        (rule_weight * values[0], variation)
+    }
+
+    fn contract(
+        &mut self,
+        point: &Point<D, P>,
+        n: &[f64; D],
+        coefficients: &Coefficients<D, P>,
+        variation: &[f64],
+    ) {
+        let unknowns = self.result.residual.len();
+        let mut u: [Vec<f64>; D] = std::array::from_fn(|_| vec![0.0; unknowns]);
+        let mut g: [Vec<f64>; P] = std::array::from_fn(|_| vec![0.0; unknowns]);
+        let (mut h, mut row) = (vec![0.0; unknowns], vec![0.0; unknowns]);
+        let moving = self.subject.description.moving;
+        contract(
+            &point.s,
+            std::array::from_fn(|j| &*point.ds[j]),
+            n,
+            coefficients,
+            if self.subject.description.current { variation } else { &[] },
+            moving,
+            false,
+            &mut Temporaries {
+                u: u.each_mut().map(Vec::as_mut_slice),
+                g: g.each_mut().map(Vec::as_mut_slice),
+                h: &mut h,
+                row: &mut row,
+            },
+            self,
+        );
+    }
+}
+
+fn fill(to: &mut [f64], from: impl Iterator<Item = f64>) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = from;
+    }
+}
+
+/// Number of parameters of a geometry by shape functions: its inputs that are no weights.
+fn parameter_count(geometry: &GeometryPrograms) -> usize {
+    let is_weight = |name: &&&str| name.starts_with("weight_");
+    geometry.values.inputs.len() - geometry.values.inputs.iter().filter(is_weight).count()
+}
+
+/// Number of shape functions.
+fn width(geometry: &GeometryPrograms, p: usize) -> usize {
+    geometry.values.outputs.len() / (1 + p + p * (p + 1) / 2)
+}

@@ -1,0 +1,302 @@
+//! Symmetry, balance of force and moment, invariance under rigid motion and under change of units.
+
+use serde::Serialize;
+
+use super::{Finding, Worst, random};
+use crate::configurations::{Configuration, Stream, Wanted};
+use crate::oracle::geometry::Placement;
+use crate::oracle::law::Law;
+use crate::oracle::pair::{Master, Measure, Pair, Slave};
+use crate::subject::{self, Answer, Subject};
+use crate::tolerance::{BALANCE, MOTION, SYMMETRY, UNITS, relative_error};
+
+/// States tried.
+const STATES: u64 = 40;
+/// Metre to millimetre.
+const UNIT: f64 = 1000.0;
+
+/// Worst deviations of one element.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Invariance {
+    /// K − Kᵀ; nothing for the current measure.
+    pub symmetry: Worst,
+    /// Sum of forces; nothing for rigid masters.
+    pub force: Worst,
+    /// Sum of moments; nothing for rigid masters.
+    pub moment: Worst,
+    /// Turned and shifted state against turned result.
+    pub motion: Worst,
+    /// Millimetres against metres.
+    pub units: Worst,
+    /// Outcome.
+    pub finding: Finding,
+}
+
+/// Tries an element on random closed states.
+pub fn prove(subject: &Subject, seed: u64) -> Invariance {
+    let mut result = Invariance::default();
+    let generator = random::generator(subject, seed);
+    for index in 0..STATES {
+        let Ok(configuration) = generator.generate(Wanted::Closed, index) else {
+            result.finding.fail(format!("state {index} could not be made"));
+            continue;
+        };
+        let answer = random::call(subject, &configuration, subject::Wanted::BOTH);
+        symmetry(&mut result, subject, &answer, index);
+        balance(&mut result, subject, &configuration, &answer, index);
+        motion(&mut result, subject, &configuration, &answer, index);
+        units(&mut result, subject, &configuration, &answer, index);
+    }
+    result
+}
+
+fn symmetry(result: &mut Invariance, subject: &Subject, answer: &Answer, index: u64) {
+    if !subject.description.descriptor.symmetric || answer.tangent.is_empty() {
+        return;
+    }
+    let n = answer.residual.len();
+    let transposed: Vec<f64> = (0..n * n).map(|at| answer.tangent[at % n * n + at / n]).collect();
+    let error = relative_error(&answer.tangent, &transposed);
+    result.symmetry.absorb(error, index);
+    result.finding.compare("symmetry", error, SYMMETRY);
+}
+
+/// Which nodes are positions, slave first.
+fn positions(pair: &Pair) -> Vec<bool> {
+    let slave = (0..pair.slave_nodes()).map(|node| pair.slave_is_position(node));
+    let master = (0..pair.master_nodes()).map(|node| pair.master_is_position(node));
+    slave.chain(master).collect()
+}
+
+fn point(values: &[f64], node: usize, d: usize) -> [f64; 3] {
+    std::array::from_fn(|k| if k < d { values[node * d + k] } else { 0.0 })
+}
+
+fn balance(
+    result: &mut Invariance,
+    subject: &Subject,
+    configuration: &Configuration,
+    answer: &Answer,
+    index: u64,
+) {
+    let pair = &configuration.pair;
+    if matches!(pair.master, Master::Parametric { .. } | Master::Distance { .. }) {
+        return;
+    }
+    let d = subject.description.descriptor.dimension;
+    let x = configuration.positions();
+    let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
+    let (mut largest, mut arm) = (0.0_f64, 0.0_f64);
+    for (node, is_position) in positions(pair).into_iter().enumerate() {
+        let (x, r) = (point(&x, node, d), point(&answer.residual, node, d));
+        for k in 0..3 {
+            if is_position {
+                force[k] += r[k];
+            }
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            moment[k] += x[i] * r[j] - x[j] * r[i];
+            largest = largest.max(r[k].abs());
+            arm = arm.max(x[k].abs());
+        }
+    }
+    let size = |v: [f64; 3]| v.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+    let (force, moment) = (size(force) / largest, size(moment) / (largest * arm));
+    result.force.absorb(force, index);
+    result.moment.absorb(moment, index);
+    result.finding.compare("balance of force", force, BALANCE);
+    result.finding.compare("balance of moment", moment, BALANCE);
+}
+
+/// Rotation matrix of the motion tried: about z in the plane.
+fn rotation(stream: &mut Stream, d: usize) -> ([f64; 4], [[f64; 3]; 3]) {
+    let quaternion = if d == 2 {
+        let half = stream.uniform(-1.5, 1.5);
+        [half.cos(), 0.0, 0.0, half.sin()]
+    } else {
+        stream.quaternion()
+    };
+    let frame = Placement::Spatial {
+        origin: [0.0; 3],
+        quaternion,
+    };
+    (quaternion, frame.rotation())
+}
+
+fn turned(matrix: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+    matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+}
+
+fn motion(
+    result: &mut Invariance,
+    subject: &Subject,
+    configuration: &Configuration,
+    answer: &Answer,
+    index: u64,
+) {
+    let pair = &configuration.pair;
+    let rigid = matches!(pair.master, Master::Parametric { .. } | Master::Distance { .. });
+    if rigid && !subject.description.placed {
+        return;
+    }
+    let d = subject.description.descriptor.dimension;
+    let mut stream = Stream::new(index, 1, 55);
+    let (quaternion, matrix) = rotation(&mut stream, d);
+    let mut shift = stream.cube(10.0 * configuration.size);
+    if d == 2 {
+        shift[2] = 0.0;
+    }
+    let mut moved = configuration.clone();
+    for (node, is_position) in positions(pair).into_iter().enumerate() {
+        let x = turned(&matrix, point(&configuration.reference, node, d));
+        let u = turned(&matrix, point(&configuration.displacement, node, d));
+        for k in 0..d {
+            let along = if is_position { shift[k] } else { 0.0 };
+            moved.reference[node * d + k] = x[k] + along;
+            moved.displacement[node * d + k] = u[k];
+        }
+    }
+    if let Master::Parametric { placement, .. } | Master::Distance { placement, .. } =
+        &mut moved.pair.master
+    {
+        *placement = moved_placement(placement, quaternion, &matrix, shift);
+    }
+    let found = random::call(subject, &moved, subject::Wanted::BOTH);
+    let n = answer.residual.len();
+    let turn = |values: &[f64]| -> Vec<f64> {
+        (0..n / d)
+            .flat_map(|node| turned(&matrix, point(values, node, d)).into_iter().take(d))
+            .collect()
+    };
+    let mut error = relative_error(&found.residual, &turn(&answer.residual));
+    if !answer.tangent.is_empty() {
+        error = error.max(relative_error(&found.tangent, &turn_tensor(&answer.tangent, n, &turn)));
+    }
+    result.motion.absorb(error, index);
+    result.finding.compare("rigid motion", error, MOTION);
+}
+
+/// Q K Qᵀ by turning rows, then columns.
+fn turn_tensor(tangent: &[f64], n: usize, turn: &impl Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
+    let rows: Vec<f64> = tangent.chunks_exact(n).flat_map(turn).collect();
+    let mut whole = vec![0.0; n * n];
+    for j in 0..n {
+        let column: Vec<f64> = (0..n).map(|i| rows[i * n + j]).collect();
+        for (i, value) in turn(&column).into_iter().enumerate() {
+            whole[i * n + j] = value;
+        }
+    }
+    whole
+}
+
+fn moved_placement(
+    placement: &Placement,
+    [w, x, y, z]: [f64; 4],
+    matrix: &[[f64; 3]; 3],
+    shift: [f64; 3],
+) -> Placement {
+    let origin = turned(matrix, placement.origin());
+    let origin: [f64; 3] = std::array::from_fn(|k| origin[k] + shift[k]);
+    match *placement {
+        Placement::Identity => Placement::Identity,
+        Placement::Spatial {
+            quaternion: [a, b, c, e],
+            ..
+        } => Placement::Spatial {
+            origin,
+            quaternion: [
+                w * a - x * b - y * c - z * e,
+                w * b + x * a + y * e - z * c,
+                w * c - x * e + y * a + z * b,
+                w * e + x * c - y * b + z * a,
+            ],
+        },
+        Placement::Planar {
+            direction: [c, s], ..
+        } => {
+            let direction = turned(matrix, [c, s, 0.0]);
+            Placement::Planar {
+                origin: [origin[0], origin[1]],
+                direction: [direction[0], direction[1]],
+            }
+        }
+    }
+}
+
+fn units(
+    result: &mut Invariance,
+    subject: &Subject,
+    configuration: &Configuration,
+    answer: &Answer,
+    index: u64,
+) {
+    let mut scaled = configuration.clone();
+    for value in scaled.reference.iter_mut().chain(&mut scaled.displacement) {
+        *value *= UNIT;
+    }
+    scaled.pair.r0 *= UNIT;
+    scaled.pair.law = law_in_millimetres(&configuration.pair.law);
+    let mut found = subject.parameters(&scaled.pair);
+    let lengths = length_parameters(subject);
+    for (value, is_length) in found.iter_mut().zip(lengths) {
+        if is_length {
+            *value *= UNIT;
+        }
+    }
+    let output = subject.call(
+        &subject::Input {
+            reference: &scaled.reference,
+            displacement: &scaled.displacement,
+            parameters: &found,
+            history: &subject.history(&scaled.start),
+            slave_row: &subject.slave_row(&scaled.pair),
+        },
+        subject::Wanted::BOTH,
+    );
+    let factor = measure_factor(&configuration.pair);
+    let residual: Vec<f64> = answer.residual.iter().map(|v| v * factor).collect();
+    let tangent: Vec<f64> = answer.tangent.iter().map(|v| v * factor / UNIT).collect();
+    let mut error = relative_error(&output.residual, &residual);
+    if !tangent.is_empty() {
+        error = error.max(relative_error(&output.tangent, &tangent));
+    }
+    result.units.absorb(error, index);
+    result.finding.compare("change of units", error, UNITS);
+}
+
+/// Parameters of the rigid geometry and placement with the unit of a length.
+fn length_parameters(subject: &Subject) -> Vec<bool> {
+    let layout = &subject.description.layout;
+    let parameters = subject.description.descriptor.parameters;
+    let is_own = |index: usize| index >= layout.geometry;
+    (0..parameters.len())
+        .map(|index| is_own(index) && parameters[index].unit.trim_end_matches('\0') == "length")
+        .collect()
+}
+
+/// The same law with forces in the same unit and lengths in millimetres.
+fn law_in_millimetres(law: &Law) -> Law {
+    match law {
+        Law::Penalty { eps_n } => Law::Penalty {
+            eps_n: eps_n / UNIT,
+        },
+        Law::Power { eps_n, exponent } => Law::Power {
+            eps_n: eps_n / UNIT.powf(*exponent),
+            exponent: *exponent,
+        },
+        Law::Barrier { kappa, distance } => Law::Barrier {
+            kappa: kappa / UNIT,
+            distance: distance * UNIT,
+        },
+        Law::Declared(law) => Law::Declared(law.clone()),
+    }
+}
+
+/// Forces of integrated slaves grow with the length or area of the slave.
+fn measure_factor(pair: &Pair) -> f64 {
+    match &pair.slave {
+        Slave::Fixed {
+            geometry, measure, ..
+        } if *measure != Measure::Unit => UNIT.powi(geometry.shape.parameters() as i32),
+        _ => 1.0,
+    }
+}

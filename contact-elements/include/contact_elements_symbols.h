@@ -248,9 +248,9 @@ int32_t cte_tri6_quad9(cte_arguments *arguments);
 #define CTE_QUAD4_QUAD4_CURRENT 59
 int32_t cte_quad4_quad4_current(cte_arguments *arguments);
 
-/* Bilinear facet on bilinear facet, linearised on the tangent plane. */
-#define CTE_QUAD4_QUAD4_TANGENT_PLANE 60
-int32_t cte_quad4_quad4_tangent_plane(cte_arguments *arguments);
+/* One point of a bilinear facet, given at run time, on a bilinear facet, linearised on the tangent plane. */
+#define CTE_QUAD4_QUAD4_AT_POINT_TANGENT_PLANE 60
+int32_t cte_quad4_quad4_at_point_tangent_plane(cte_arguments *arguments);
 
 /* Rational biquadratic facet on rational biquadratic facet. */
 #define CTE_RATIONAL_SURFACE2_RATIONAL_SURFACE2 61

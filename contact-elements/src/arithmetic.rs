@@ -3,6 +3,17 @@
 /// √x, correctly rounded.
 #[inline(always)]
 pub fn sqrt(x: f64) -> f64 {
+    // libm's assembly has the legacy encoding, which is slow between AVX instructions
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    {
+        use core::arch::x86_64::{_mm_cvtsd_f64, _mm_set_sd, _mm_sqrt_sd};
+        // SAFETY: SSE2 belongs to every x86-64 target.
+        unsafe {
+            let x = _mm_set_sd(x);
+            _mm_cvtsd_f64(_mm_sqrt_sd(x, x))
+        }
+    }
+    #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
     libm::sqrt(x)
 }
 

@@ -54,9 +54,9 @@ pub unsafe fn csr_map(
             _ => return code::INDEX,
         }
     };
-    let all = || (0..n).flat_map(|e| (0..unknowns * unknowns).map(move |entry| (e, entry)));
-    let place =
-        |(e, entry): (usize, usize)| pattern.position(e, entry / unknowns, entry % unknowns);
+    let pairs = move || (0..unknowns).flat_map(move |i| (0..unknowns).map(move |j| (i, j)));
+    let all = || (0..n).flat_map(|e| pairs().map(move |(i, j)| (e, i, j)));
+    let place = |(e, i, j)| pattern.position(e, i, j);
     // everything is looked up before anything is written
     if !all().all(|at| place(at).is_some()) {
         return code::INDEX;

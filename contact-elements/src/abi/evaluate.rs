@@ -293,8 +293,8 @@ pub(super) unsafe fn workspace<'a>(
         return Err((code::NULL, argument::WORKSPACE, 0));
     }
     match usize::try_from(size) {
-        // SAFETY: promised by the caller.
         Ok(size) if size >= needed => {
+            // SAFETY: promised by the caller.
             Ok(unsafe { core::slice::from_raw_parts_mut(memory, needed) })
         }
         _ => Err((code::WORKSPACE, argument::WORKSPACE, 0)),

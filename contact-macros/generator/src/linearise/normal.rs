@@ -18,14 +18,15 @@ use crate::model::Linearisation;
 struct Projection {
     n: Vector,
     distance: NodeId,
+    /// Orthogonal tangents b_1 and b_2 − t b_1 [eq:orthogonal-basis].
     b: Vec<Vector>,
-    /// a_ij
-    metric: Symmetric,
-    /// det a
-    metric_determinant: NodeId,
-    /// κ_ij = −n·r_,ij
+    /// t = a_12/a_11; zero for one tangent.
+    shear: NodeId,
+    /// Diagonal of the metric in that basis.
+    metric: Vec<NodeId>,
+    /// κ_ij = −n·r_,ij in that basis
     curvature: Symmetric,
-    /// m = F⁻¹ (exact) or a⁻¹ (tangent plane)
+    /// m = F⁻¹ (exact) or a⁻¹ (tangent plane) in that basis
     m: Symmetric,
     traction: NodeId,
 }
@@ -88,31 +89,32 @@ fn inputs(program: &mut Program, kinematics: &Kinematics) -> (Projection, NodeId
     let traction = program.input("traction");
     let slope = program.input("slope");
 
-    let metric = metric(&mut program.graph, &b);
-    let metric_determinant = metric_determinant(&mut program.graph, &b, &metric);
-    let curvature = curvature_tensor(&mut program.graph, &n, &second, &kinematics.curved);
+    let graph = &mut program.graph;
+    let curvature = curvature_tensor(graph, &n, &second, &kinematics.curved);
+    let (b, shear) = orthogonal(graph, b);
+    let metric: Vec<NodeId> = b.iter().map(|b_i| b_i.dot(graph, b_i)).collect();
+    let curvature = sheared(graph, curvature, shear);
     let m = match kinematics.linearisation {
         Linearisation::Exact => {
-            let factor = program.term("F-curvature", distance, "no curvature along the projection");
-            inverse_of_f(
-                &mut program.graph,
-                p,
-                (&metric, metric_determinant),
-                &curvature,
-                factor,
-            )
+            let factor = program.term(
+                "F-curvature",
+                distance,
+                "no curvature along the projection",
+            );
+            inverse_of_f(&mut program.graph, &metric, &curvature, factor)
         }
         Linearisation::TangentPlane => {
             program.left_out("F-curvature", "linearised on the tangent plane L = 0");
-            inverse(&mut program.graph, p, &metric, metric_determinant)
+            let zero = program.graph.constant(0.0);
+            inverse_of_f(&mut program.graph, &metric, &curvature, zero)
         }
     };
     let projection = Projection {
         n,
         distance,
         b,
+        shear,
         metric,
-        metric_determinant,
         curvature,
         m,
         traction,
@@ -120,28 +122,20 @@ fn inputs(program: &mut Program, kinematics: &Kinematics) -> (Projection, NodeId
     (projection, slope)
 }
 
-/// a_ij = b_i·b_j [eq:metric]
-fn metric(graph: &mut Graph, b: &[Vector]) -> Symmetric {
-    let mut entries = Vec::new();
-    for i in 0..b.len() {
-        for j in i..b.len() {
-            entries.push(b[i].dot(graph, &b[j]));
-        }
-    }
-    Symmetric(entries)
-}
-
-/// det a; for two tangents |b_1×b_2|², which keeps its digits where they are nearly parallel.
-fn metric_determinant(graph: &mut Graph, b: &[Vector], metric: &Symmetric) -> NodeId {
-    match b {
-        [] => graph.constant(1.0),
-        [_] => metric.at(0, 0),
-        [first, second] => {
-            let area = first.cross(graph, second);
-            area.dot(graph, &area)
-        }
-        _ => unreachable!("at most two projected parameters"),
-    }
+/// b_1 and b_2 − t b_1 with t = a_12/a_11: a basis in which the metric is diagonal, so that nothing cancels
+/// where the declared parameters are skew or two curves nearly parallel. [eq:orthogonal-basis]
+pub(super) fn orthogonal(graph: &mut Graph, b: Vec<Vector>) -> (Vec<Vector>, NodeId) {
+    let [first, second] = b.as_slice() else {
+        let none = graph.constant(0.0);
+        return (b, none);
+    };
+    let square = first.dot(graph, first);
+    let mixed = first.dot(graph, second);
+    let shear = graph.divide(mixed, square);
+    let minus = graph.negate(shear);
+    let along = first.scale(graph, minus);
+    let second = second.add(graph, &along);
+    (vec![first.clone(), second], shear)
 }
 
 /// κ_ij = −n·r_,ij [eq:curvature]; entries that vanish identically stay zero.
@@ -166,62 +160,53 @@ fn curvature_tensor(
     Symmetric(entries)
 }
 
-/// m = F⁻¹ with F = a − Lκ [eq:F]; det F = det a − L(κ11 a22 + κ22 a11 − 2 κ12 a12) + L² det κ
-/// [eq:det-F]; the part −Lκ is a term of its own [eq:F-curvature].
+/// A symmetric covariant tensor in the orthogonal basis:
+/// κ_12 − t κ_11 and κ_22 − 2 t κ_12 + t² κ_11. [eq:orthogonal-basis]
+fn sheared(graph: &mut Graph, tensor: Symmetric, shear: NodeId) -> Symmetric {
+    let [k11, k12, k22] = tensor.0[..] else {
+        return tensor;
+    };
+    let back = graph.multiply(shear, k11);
+    let mixed = graph.subtract(k12, back);
+    // k22 − t (k12 + (k12 − t k11))
+    let sum = graph.add(k12, mixed);
+    let back = graph.multiply(shear, sum);
+    let last = graph.subtract(k22, back);
+    Symmetric(vec![k11, mixed, last])
+}
+
+/// m = F⁻¹ with F = a − Lκ [eq:F]; a is diagonal, so det F loses nothing to cancellation of a.
 fn inverse_of_f(
     graph: &mut Graph,
-    p: usize,
-    (metric, metric_determinant): (&Symmetric, NodeId),
+    metric: &[NodeId],
     curvature: &Symmetric,
     distance: NodeId,
 ) -> Symmetric {
-    let f = Symmetric(
-        metric
-            .0
-            .iter()
-            .zip(&curvature.0)
-            .map(|(&a, &kappa)| {
-                let bend = graph.multiply(distance, kappa);
-                graph.subtract(a, bend)
-            })
-            .collect(),
-    );
-    if p < 2 {
-        let determinant = f.0.first().copied().unwrap_or(metric_determinant);
-        return inverse(graph, p, &f, determinant);
-    }
-    let first = graph.multiply(curvature.at(0, 0), metric.at(1, 1));
-    let second = graph.multiply(curvature.at(1, 1), metric.at(0, 0));
-    let mixed = graph.multiply(curvature.at(0, 1), metric.at(0, 1));
-    let sum = graph.add(first, second);
-    let twice = graph.add(mixed, mixed);
-    let trace = graph.subtract(sum, twice);
-    let product = graph.multiply(curvature.at(0, 0), curvature.at(1, 1));
-    let square = graph.multiply(curvature.at(0, 1), curvature.at(0, 1));
-    let gauss = graph.subtract(product, square);
-    let quadratic = graph.multiply(distance, gauss);
-    let change = graph.subtract(trace, quadratic);
-    let change = graph.multiply(distance, change);
-    let determinant = graph.subtract(metric_determinant, change);
-    inverse(graph, p, &f, determinant)
-}
-
-/// Inverse of a symmetric matrix of order 0, 1 or 2 whose determinant is known.
-fn inverse(graph: &mut Graph, p: usize, matrix: &Symmetric, determinant: NodeId) -> Symmetric {
     let one = graph.constant(1.0);
-    let reciprocal = graph.divide(one, determinant);
-    Symmetric(match p {
-        0 => vec![],
-        1 => vec![reciprocal],
-        _ => {
-            let off = graph.multiply(matrix.at(0, 1), reciprocal);
-            vec![
-                graph.multiply(matrix.at(1, 1), reciprocal),
-                graph.negate(off),
-                graph.multiply(matrix.at(0, 0), reciprocal),
-            ]
+    let bent = |graph: &mut Graph, i: usize| {
+        let bend = graph.multiply(distance, curvature.at(i, i));
+        graph.subtract(metric[i], bend)
+    };
+    match metric.len() {
+        0 => Symmetric(vec![]),
+        1 => {
+            let f = bent(graph, 0);
+            Symmetric(vec![graph.divide(one, f)])
         }
-    })
+        _ => {
+            let (f11, f22) = (bent(graph, 0), bent(graph, 1));
+            let off = graph.multiply(distance, curvature.at(0, 1));
+            let product = graph.multiply(f11, f22);
+            let square = graph.multiply(off, off);
+            let determinant = graph.subtract(product, square);
+            // F_12 = −L κ_12, so m^12 = L κ_12/det F
+            Symmetric(vec![
+                graph.divide(f22, determinant),
+                graph.divide(off, determinant),
+                graph.divide(f11, determinant),
+            ])
+        }
+    }
 }
 
 /// N' (n·δr)(n·Δr) [eq:12-main]
@@ -242,19 +227,16 @@ fn curvature(program: &mut Program, projection: &Projection) -> Vec<NodeId> {
     let minus = program.graph.negate(projection.traction);
     let coefficient = program.term("13-curvature", minus, "no curvature along the projection");
     let graph = &mut program.graph;
-    let metric_inverse = inverse(graph, p, &projection.metric, projection.metric_determinant);
     let mut tensor = vec![vec![graph.constant(0.0); p]; p];
     for i in 0..p {
+        let weight = graph.divide(coefficient, projection.metric[i]);
         for j in i..p {
             let mut sum = graph.constant(0.0);
             for k in 0..p {
-                for l in 0..p {
-                    let bend = graph.multiply(projection.curvature.at(k, l), projection.m.at(l, j));
-                    let entry = graph.multiply(metric_inverse.at(i, k), bend);
-                    sum = graph.add(sum, entry);
-                }
+                let bend = graph.multiply(projection.curvature.at(i, k), projection.m.at(k, j));
+                sum = graph.add(sum, bend);
             }
-            tensor[i][j] = graph.multiply(coefficient, sum);
+            tensor[i][j] = graph.multiply(weight, sum);
             tensor[j][i] = tensor[i][j];
         }
     }
@@ -302,10 +284,11 @@ fn complement(
     let coefficient = program.term("complement", ratio, "");
     let graph = &mut program.graph;
     let p = projection.b.len();
-    let a = inverse(graph, p, &projection.metric, projection.metric_determinant);
-    let tensor: Vec<Vec<NodeId>> = (0..p)
-        .map(|i| (0..p).map(|j| a.at(i, j)).collect())
-        .collect();
+    let one = graph.constant(1.0);
+    let mut tensor = vec![vec![graph.constant(0.0); p]; p];
+    for i in 0..p {
+        tensor[i][i] = graph.divide(one, projection.metric[i]);
+    }
     let tangential = sandwich(graph, &projection.b, &tensor, d);
     upper(d)
         .zip(tangential)
@@ -331,19 +314,30 @@ fn rotational(
     let coefficient = program.term(tag, minus, "the tangents do not rotate with any unknown");
     let graph = &mut program.graph;
     let d = kinematics.dimension;
-    (0..projection.b.len())
+    let p = projection.b.len();
+    let mut vectors: Vec<Vector> = (0..p)
         .map(|j| {
             let mut sum = Vector::zero(graph, d);
-            if kinematics.moving[j] {
-                for (i, b_i) in projection.b.iter().enumerate() {
-                    let factor = graph.multiply(coefficient, projection.m.at(i, j));
-                    let part = b_i.scale(graph, factor);
-                    sum = sum.add(graph, &part);
-                }
+            for (i, b_i) in projection.b.iter().enumerate() {
+                let factor = graph.multiply(coefficient, projection.m.at(i, j));
+                let part = b_i.scale(graph, factor);
+                sum = sum.add(graph, &part);
             }
             sum
         })
-        .collect()
+        .collect();
+    if p == 2 {
+        // s_,2 of the orthogonal basis is s_,2 − t s_,1
+        let minus = graph.negate(projection.shear);
+        let back = vectors[1].scale(graph, minus);
+        vectors[0] = vectors[0].add(graph, &back);
+    }
+    for (vector, &moving) in vectors.iter_mut().zip(&kinematics.moving) {
+        if !moving {
+            *vector = Vector::zero(graph, d);
+        }
+    }
+    vectors
 }
 
 /// −N L β_i m^ij β_j [eq:quadratic-rotation]: absent on the tangent plane.
@@ -370,17 +364,35 @@ fn quadratic_rotation(
         "the tangents do not rotate with any unknown",
     );
     let graph = &mut program.graph;
-    let mut entries = Vec::new();
+    let entries: Vec<NodeId> = projection
+        .m
+        .0
+        .iter()
+        .map(|&m| graph.multiply(coefficient, m))
+        .collect();
+    let mut result = contravariant(graph, Symmetric(entries), projection.shear);
     for i in 0..p {
         for j in i..p {
-            entries.push(if kinematics.moving[i] && kinematics.moving[j] {
-                graph.multiply(coefficient, projection.m.at(i, j))
-            } else {
-                zero
-            });
+            if !(kinematics.moving[i] && kinematics.moving[j]) {
+                result.0[pair_index(i, j)] = zero;
+            }
         }
     }
-    Symmetric(entries)
+    result
+}
+
+/// Contravariant components in the declared basis from those in the orthogonal one:
+/// m^11 − t (m^12 + m^21) + t² m^22 and m^12 − t m^22. [eq:orthogonal-basis]
+fn contravariant(graph: &mut Graph, tensor: Symmetric, shear: NodeId) -> Symmetric {
+    let [m11, m12, m22] = tensor.0[..] else {
+        return tensor;
+    };
+    let back = graph.multiply(shear, m22);
+    let mixed = graph.subtract(m12, back);
+    let sum = graph.add(m12, mixed);
+    let back = graph.multiply(shear, sum);
+    let first = graph.subtract(m11, back);
+    Symmetric(vec![first, mixed, m22])
 }
 
 /// Index pairs k ≤ l of a symmetric matrix.

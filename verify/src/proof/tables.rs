@@ -184,10 +184,18 @@ fn distance_gradient(finding: &mut Finding, geometry: &GeometryPrograms, seed: u
     }
 }
 
+/// The law acts at these inputs, or at least is defined there.
+fn is_defined(law: &LawPrograms, inputs: &[f64]) -> bool {
+    match &law.valid {
+        Some(valid) => interpret(valid, inputs, None)[0] > 0.0,
+        None => interpret(&law.active, inputs, None)[0] > 0.0,
+    }
+}
+
 fn law_derivatives(finding: &mut Finding, law: &LawPrograms, seed: u64) {
     for index in 0..TRIES {
         let mut inputs = inputs(&law.law, seed, index);
-        if (law.valid.is_none()) && inputs[0] > 0.0 {
+        if !is_defined(law, &inputs) {
             inputs[0] = -inputs[0];
         }
         let values = interpret(&law.law, &inputs, None);

@@ -4,7 +4,7 @@
 #![allow(dead_code)]
 
 /// `README.md`
-mod README {
+mod readme {
     contact_elements::contact_elements! {
         export my;
         /// Rigid paraboloid z = -c (x^2 + y^2), the body below.

@@ -7,6 +7,7 @@
 pub mod abi;
 pub mod committed;
 pub mod compiler;
+pub mod documents;
 pub mod header;
 pub mod library;
 pub mod process;

@@ -6,7 +6,7 @@ use std::process::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::process::run;
+use crate::process::{run, succeed};
 use crate::workspace;
 
 /// A built C library in a temporary directory.
@@ -18,28 +18,59 @@ pub struct Library {
 impl Library {
     /// `cargo build --release -p contact-elements-capi`.
     pub fn contact_elements() -> Self {
-        let mut command = cargo();
+        let mut command = cargo("build");
         command.args(["-p", "contact-elements-capi"]);
         Self::build(&mut command, "contact_elements")
     }
 
-    /// The same with what `abidw` needs: full debug information of the exported functions, in a target
-    /// directory of its own.
-    pub fn with_debug_information(target: &Path) -> Self {
-        let mut command = cargo();
-        command
-            .args(["-p", "contact-elements-capi"])
+    /// The shared object with what `abidw` needs, full debug information of the exported functions: only the
+    /// last crate is compiled once more.
+    pub fn with_debug_information() -> Self {
+        let mut command = cargo("build");
+        command.args(["-p", "contact-elements-capi"]);
+        let (built, _) = build(&mut command);
+        let artefact = |start: &str, end: &str| {
+            let name = |path: &Path| path.file_name()?.to_str().map(str::to_string);
+            let mut found = built.iter().filter(|path| {
+                name(path).is_some_and(|name| name.starts_with(start) && name.ends_with(end))
+            });
+            found
+                .next()
+                .unwrap_or_else(|| panic!("no {start}*{end} was built"))
+                .clone()
+        };
+        let elements = artefact("libcontact_elements-", ".rlib");
+        let macros = artefact("libcontact_macros-", ".so");
+        let library = Self::empty("contact_elements");
+        let mut rustc = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
+        rustc
             .args([
-                "--config",
-                "profile.release.package.contact-elements-capi.debug=2",
+                "--edition=2024",
+                "--crate-type=cdylib",
+                "--crate-name=contact_elements",
             ])
-            .env("CARGO_TARGET_DIR", target);
-        Self::build(&mut command, "contact_elements")
+            .args([
+                "-Cmetadata=abi",
+                "-Cpanic=abort",
+                "-Copt-level=1",
+                "-Cdebuginfo=2",
+            ])
+            .arg("-L")
+            .arg(elements.parent().expect("a folder"))
+            .arg("--extern")
+            .arg(format!("contact_elements={}", elements.display()))
+            .arg("--extern")
+            .arg(format!("contact_macros={}", macros.display()))
+            .arg(workspace("contact-elements/capi/src/lib.rs"))
+            .arg("-o")
+            .arg(library.shared());
+        succeed(&mut rustc);
+        library
     }
 
     /// The library of a crate outside the workspace.
     pub fn of_crate(manifest: &Path, target: &Path, name: &str) -> Self {
-        let mut command = cargo();
+        let mut command = cargo("build");
         command
             .arg("--manifest-path")
             .arg(manifest)
@@ -49,16 +80,8 @@ impl Library {
 
     /// Runs the build and puts `lib{name}` where a linker and a loader find it.
     fn build(command: &mut Command, name: &str) -> Self {
-        let output = run(command.arg("--message-format=json-render-diagnostics"));
-        let stderr = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{command:?}:\n{stderr}");
-        let messages = String::from_utf8_lossy(&output.stdout);
-        let directory = TempDir::new().expect("a temporary directory");
-        let library = Library {
-            directory,
-            name: name.to_string(),
-        };
-        let built = artefacts(&messages);
+        let (built, stderr) = build(command);
+        let library = Self::empty(name);
         for wanted in [format!("lib{name}.so"), format!("lib{name}.a")] {
             let from = built
                 .iter()
@@ -68,6 +91,13 @@ impl Library {
         }
         library.link_soname();
         library
+    }
+
+    fn empty(name: &str) -> Self {
+        Library {
+            directory: TempDir::new().expect("a temporary directory"),
+            name: name.to_string(),
+        }
     }
 
     /// The loader looks for the SONAME, the linker for the plain name.
@@ -103,14 +133,23 @@ impl Library {
     }
 }
 
-/// The cargo that runs the tests, building the release profile in the workspace.
-fn cargo() -> Command {
+/// The cargo that runs the tests, for the release profile in the workspace.
+pub fn cargo(subcommand: &str) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
     command
-        .args(["build", "--release"])
+        .args([subcommand, "--release"])
         .current_dir(workspace(""));
     command
+}
+
+/// Runs a build; its files, and what it wrote to stderr.
+fn build(command: &mut Command) -> (Vec<PathBuf>, String) {
+    let output = run(command.arg("--message-format=json-render-diagnostics"));
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{command:?}:\n{stderr}");
+    let files = artefacts(&String::from_utf8_lossy(&output.stdout));
+    (files, stderr)
 }
 
 /// Files of all artefacts in the messages of cargo.

@@ -3,7 +3,6 @@
 //!
 //! Both are written by `CONTACT_BLESS=1`, which refuses to change what they already promise.
 
-use std::path::Path;
 use std::process::Command;
 use std::sync::OnceLock;
 
@@ -98,7 +97,38 @@ fn nothing_panics_or_unwinds() {
             !name.contains("panic") && !name.contains("unwind"),
             "{name}"
         );
+        // The stub of the capi crate: local, and the pointer to it that unwind tables hold.
+        if name.contains("personality") {
+            let kind = &line[line.len() - 2];
+            let stub = [
+                ("t", "rust_eh_personality"),
+                ("d", "DW.ref.rust_eh_personality"),
+            ];
+            assert!(
+                stub.contains(&(kind.as_str(), name.as_str())),
+                "{kind} {name}"
+            );
+        }
     }
+}
+
+/// The stub returns and does nothing else.
+#[test]
+fn the_personality_is_a_stub() {
+    let disassembly = succeed(
+        Command::new("objdump")
+            .args([
+                "-d",
+                "--no-show-raw-insn",
+                "--disassemble=rust_eh_personality",
+            ])
+            .arg(library().shared()),
+    );
+    let (_, body) = disassembly
+        .split_once("<rust_eh_personality>:\n")
+        .unwrap_or_default();
+    let first = body.lines().next().unwrap_or("\tret");
+    assert!(first.trim_end().ends_with("\tret"), "{first}");
 }
 
 #[test]
@@ -137,8 +167,7 @@ fn types_are_those_of_the_baseline() {
     if !available("abidiff", REQUIRE_ABIDIFF) {
         return;
     }
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("abi");
-    let library = Library::with_debug_information(&target);
+    let library = Library::with_debug_information();
     let baseline = workspace("tests/abi/baseline.abi");
     if blessing() && !baseline.exists() {
         abidw(&library.shared(), &baseline);

@@ -1,11 +1,11 @@
-//! A user's own crate (`tests/user-crate`): built as its user would, used from C.
+//! A user's own crate (`tests/user-crate`): built as its user would, used from C, proven.
 
 use std::path::Path;
 use std::process::Command;
 
 use contact_generator::header::C_HEADER;
 use contact_tests::compiler;
-use contact_tests::library::Library;
+use contact_tests::library::{Library, cargo};
 use contact_tests::process::succeed;
 use contact_tests::workspace;
 
@@ -15,8 +15,7 @@ const STANDARD: [&str; 6] = ["-lgcc_s", "-lutil", "-lrt", "-lpthread", "-lm", "-
 #[test]
 fn declared_once_used_from_c() {
     let directory = workspace("tests/user-crate");
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user-crate");
-    let library = Library::of_crate(&directory.join("Cargo.toml"), &target, "rail");
+    let library = Library::of_crate(&directory.join("Cargo.toml"), target(), "rail");
     let include = directory.join("include");
     assert_eq!(read(&include.join("contact_elements.h")), C_HEADER);
     assert!(read(&include.join("rail.inc")).contains("PARAMETER (RAIL_POINT_QUAD8 = 0)"));
@@ -43,6 +42,27 @@ fn declared_once_used_from_c() {
         assert!(printed.contains("all passed"), "{printed}");
         println!("{printed}");
     }
+}
+
+/// The crate's own test: its elements against the oracle.
+#[test]
+fn proven_like_the_built_in_elements() {
+    let printed = succeed(
+        cargo("test")
+            .arg("--manifest-path")
+            .arg(workspace("tests/user-crate/Cargo.toml"))
+            .env("CARGO_TARGET_DIR", target()),
+    );
+    assert!(
+        printed.contains("test every_element_is_exact ... ok"),
+        "{printed}"
+    );
+}
+
+/// The target directory of the workspace: what both builds need is compiled once.
+fn target() -> &'static Path {
+    let parent = Path::new(env!("CARGO_TARGET_TMPDIR")).parent();
+    parent.expect("the target directory")
 }
 
 /// Only the headers of the crate are in reach.

@@ -46,7 +46,13 @@ pub fn c_library(output: &Path) -> Result<Places, Box<dyn std::error::Error>> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_string());
     println!("building the C library");
     let messages = Command::new(cargo)
-        .args(["build", "--release", "-p", "contact-elements-capi", "--message-format=json-render-diagnostics"])
+        .args([
+            "build",
+            "--release",
+            "-p",
+            "contact-elements-capi",
+            "--message-format=json-render-diagnostics",
+        ])
         .current_dir(&root)
         .stderr(std::process::Stdio::inherit())
         .output()?;

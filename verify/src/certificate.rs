@@ -39,8 +39,15 @@ impl ElementCertificate {
     /// Failures of all kinds.
     pub fn failed(&self) -> u64 {
         let random = [&self.closed, &self.open, &self.outside];
-        let random: u64 = random.iter().filter_map(|r| r.as_ref()).map(|r| r.finding.failed).sum();
-        let slopes = self.slopes.as_ref().map_or(0, |slopes| slopes.finding.failed);
+        let random: u64 = random
+            .iter()
+            .filter_map(|r| r.as_ref())
+            .map(|r| r.finding.failed)
+            .sum();
+        let slopes = self
+            .slopes
+            .as_ref()
+            .map_or(0, |slopes| slopes.finding.failed);
         random
             + slopes
             + self.invariance.finding.failed
@@ -56,7 +63,13 @@ impl ElementCertificate {
             ("outside", &self.outside),
         ] {
             if let Some(random) = random {
-                lines.extend(random.finding.failures.iter().map(|f| format!("{what}: {f}")));
+                lines.extend(
+                    random
+                        .finding
+                        .failures
+                        .iter()
+                        .map(|f| format!("{what}: {f}")),
+                );
             }
         }
         if let Some(slopes) = &self.slopes {
@@ -69,7 +82,11 @@ impl ElementCertificate {
 
     fn states(&self) -> u64 {
         let random = [&self.closed, &self.open, &self.outside];
-        random.iter().filter_map(|r| r.as_ref()).map(|r| r.finding.tried).sum()
+        random
+            .iter()
+            .filter_map(|r| r.as_ref())
+            .map(|r| r.finding.tried)
+            .sum()
     }
 
     /// Largest error of residual, tangent and energy over all closed states.
@@ -136,8 +153,17 @@ impl Certificate {
         let mut table = Table::new();
         table.load_style(presets::ASCII_MARKDOWN);
         table.set_header([
-            "element", "unknowns", "ops", "source kB", "states", "error R", "error K", "at state",
-            "mutants", "terms left out", "verdict",
+            "element",
+            "unknowns",
+            "ops",
+            "source kB",
+            "states",
+            "error R",
+            "error K",
+            "at state",
+            "mutants",
+            "terms left out",
+            "verdict",
         ]);
         for element in &self.elements {
             table.add_row(row(element));
@@ -159,7 +185,8 @@ impl Certificate {
             let worst = element.worst();
             (r, k) = (r.max(worst.0), k.max(worst.1));
         }
-        let share = |finding: &Finding| format!("{} of {}", finding.tried - finding.failed, finding.tried);
+        let share =
+            |finding: &Finding| format!("{} of {}", finding.tried - finding.failed, finding.tried);
         let mut text = format!(
             "{} elements, {states} random states ({} per element and status, seed {})\n\
              largest relative error: residual {r:.1e}, tangent {k:.1e}\n\
@@ -200,7 +227,12 @@ fn row(element: &ElementCertificate) -> Vec<Cell> {
             closed.residual.state
         }
     });
-    let left_out: Vec<&str> = element.mutants.left_out.iter().map(|(tag, _)| tag.as_str()).collect();
+    let left_out: Vec<&str> = element
+        .mutants
+        .left_out
+        .iter()
+        .map(|(tag, _)| tag.as_str())
+        .collect();
     let tangent = match (&element.slopes, has_tangent) {
         (Some(_), _) => "see orders".to_string(),
         (None, true) => format!("{tangent:.1e}"),
@@ -219,7 +251,10 @@ fn row(element: &ElementCertificate) -> Vec<Cell> {
         Cell::new(format!("{residual:.1e}")),
         Cell::new(tangent),
         Cell::new(worst),
-        Cell::new(format!("{}/{}", element.mutants.killed, element.mutants.made)),
+        Cell::new(format!(
+            "{}/{}",
+            element.mutants.killed, element.mutants.made
+        )),
         Cell::new(left_out.join(" ")),
         Cell::new(verdict),
     ]

@@ -38,7 +38,10 @@ pub fn certify(
         bar.set_message(subject.name());
         let size = sizes.get(subject.name()).copied().unwrap_or(0);
         let element = one(subject, extent, size);
-        for random in [&element.closed, &element.open, &element.outside].into_iter().flatten() {
+        for random in [&element.closed, &element.open, &element.outside]
+            .into_iter()
+            .flatten()
+        {
             seen.statuses.extend(random.statuses.keys());
             seen.features.extend(random.features.keys());
         }

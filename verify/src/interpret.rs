@@ -133,11 +133,7 @@ pub struct Change {
 }
 
 /// Values of the outputs. Inputs that are missing count as 0.
-pub fn interpret<T: Arithmetic>(
-    program: &Program,
-    inputs: &[T],
-    change: Option<Change>,
-) -> Vec<T> {
+pub fn interpret<T: Arithmetic>(program: &Program, inputs: &[T], change: Option<Change>) -> Vec<T> {
     let zero = T::constant(0.0);
     let mut values: Vec<T> = Vec::with_capacity(program.operations.len());
     for operation in program.operations {

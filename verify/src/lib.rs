@@ -11,6 +11,7 @@
 //! The first two share no formula, table or helper with the code generator.
 #![forbid(unsafe_code)]
 
+mod catalogue;
 pub mod certificate;
 pub mod certify;
 pub mod configurations;

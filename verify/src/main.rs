@@ -63,7 +63,11 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
     let certificate = certify(
         &subjects,
         &Extent {
-            states: if options.long { 100_000 } else { options.states },
+            states: if options.long {
+                100_000
+            } else {
+                options.states
+            },
             seed: options.seed,
             library: options.element.is_empty(),
         },
@@ -81,4 +85,3 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
     }
     Ok(certificate.failed() == 0)
 }
-

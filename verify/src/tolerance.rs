@@ -7,12 +7,6 @@
 /// 5e-16·10³ of rounding; shallower gaps are judged by the spread of their data in the reference cases.
 pub const RANDOM: f64 = 1e-12;
 
-/// Integrated slaves may have all closed points nearer to the master than the wanted gap of 1e-2 sizes; the
-/// tolerance then grows as the digits of the deepest gap fade.
-pub fn for_depth(tolerance: f64, depth: f64) -> f64 {
-    tolerance * (1e-2 / depth).max(1.0)
-}
-
 /// Energy of the same states: it grows with the square of the gap, so its relative error is twice the gap's.
 pub const ENERGY: f64 = 2.0 * RANDOM;
 

@@ -6,7 +6,21 @@ use contact_elements::elements::*;
 contact_macros::library_export!(cte);
 
 /// The kernels have no panicking path; the linker finds no caller and leaves this out.
+#[cfg(not(test))]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {}
 }
+
+// The precompiled core names an unwinding routine that nothing calls: panics abort, and there are none.
+// Weak and hidden, so that it neither leaves this library nor clashes with a host's own.
+#[cfg(all(
+    target_os = "linux",
+    any(target_arch = "x86_64", target_arch = "aarch64")
+))]
+core::arch::global_asm!(
+    ".weak rust_eh_personality",
+    ".hidden rust_eh_personality",
+    "rust_eh_personality:",
+    "ret"
+);

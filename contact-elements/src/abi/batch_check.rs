@@ -145,7 +145,9 @@ impl<'a> Checked<'a> {
         self.f_stride = own(batch.f_element_stride, unknowns, argument::F)?;
         // a matrix of its own for every contact only where there are such matrices
         let matrix = unknowns * unknowns;
-        self.k_stride = if batch.k.is_null() {
+        self.k_stride = if batch.request & request::TANGENT == 0 {
+            0
+        } else if batch.k.is_null() {
             spacing(batch.k_element_stride, matrix).ok_or((code::STRIDE, argument::K_STRIDE, 0))?
         } else {
             own(batch.k_element_stride, matrix, argument::K_STRIDE)?

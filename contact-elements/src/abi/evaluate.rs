@@ -318,8 +318,11 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
     let unknowns = n * element.dimension;
     // SAFETY: promised by the caller.
     let rows = unsafe { host_rows(arguments.unknown_map, unknowns)? };
-    let (row_stride, column_stride) =
-        strides(arguments.k_row_stride, arguments.k_col_stride, rows)?;
+    let (row_stride, column_stride) = if bits & request::TANGENT == 0 {
+        (0, 0)
+    } else {
+        strides(arguments.k_row_stride, arguments.k_col_stride, rows)?
+    };
     let if_wanted = |bit: u32, pointer: *mut f64| {
         if bits & bit != 0 {
             pointer

@@ -9,9 +9,9 @@ use crate::runtime::Status;
 /// Inputs and outputs of one evaluation. Shapes: unknowns = nodes · dimension, node by node.
 #[derive(Debug, Default)]
 pub struct Evaluation<'a> {
-    /// Reference coordinates [unknowns].
+    /// Reference coordinates \[unknowns\].
     pub x: &'a [f64],
-    /// Displacements [unknowns]; empty: zero.
+    /// Displacements \[unknowns\]; empty: zero.
     pub u: &'a [f64],
     /// Parameters.
     pub parameters: &'a [f64],
@@ -19,7 +19,7 @@ pub struct Evaluation<'a> {
     pub history: &'a [f64],
     /// Interpolated slaves: shape row and weight.
     pub slave_row: &'a [f64],
-    /// Residual [unknowns]; empty: not wanted.
+    /// Residual \[unknowns\]; empty: not wanted.
     pub residual: &'a mut [f64],
     /// Tangent [unknowns · unknowns], row-major; empty: not wanted.
     pub tangent: &'a mut [f64],
@@ -27,7 +27,7 @@ pub struct Evaluation<'a> {
     pub output: &'a mut [f64],
     /// New history; empty: not wanted.
     pub new_history: &'a mut [f64],
-    /// Energy [1]; empty: not wanted.
+    /// Energy \[1\]; empty: not wanted.
     pub energy: &'a mut [f64],
     /// Workspace of an interpolated slave.
     pub workspace: &'a mut [f64],

@@ -1,8 +1,8 @@
 //! Minimum of r·r/2 within the parameter domain: the answer where Newton's method finds no free stationary
 //! point. [eq:constrained-projection]
 //!
-//! Projected Newton steps on the parameters that no bound holds, steepest descent where F is indefinite,
-//! step halving until r·r falls. A minimum held by a bound is the outcome "outside" with that feature.
+//! Projected Newton steps on the parameters that no bound holds, the metric alone where F is indefinite, step
+//! halving until r·r falls. A minimum held by a bound is the outcome "outside" with that feature.
 
 use super::element::Element;
 use super::projection::{Projected, step};
@@ -22,12 +22,7 @@ const SMALL_STEP: f64 = 1e-9;
 /// Searches the domain from `start`.
 #[cold]
 #[inline(never)]
-pub(super) fn constrained<
-    E: Element<D, P, H>,
-    const D: usize,
-    const P: usize,
-    const H: usize,
->(
+pub(super) fn constrained<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     x: &[[f64; D]],
     start: [f64; P],
     parameters: &[f64],
@@ -175,7 +170,7 @@ fn held<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     held
 }
 
-/// Newton's step on what is free, or steepest descent where the curvature there is not positive.
+/// Newton's step on what is free, or the metric's where the curvature there is not positive.
 fn descent<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     vectors: &Vectors<D, P, H>,
     held: &Held<P>,
@@ -186,6 +181,9 @@ fn descent<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     if held.count == 0 {
         if let Ok(newton) = step::<E, D, P, H>(vectors, scale) {
             return newton.change;
+        }
+        if P == 2 {
+            return gauss_newton(vectors);
         }
     }
     if P == 2 && held.diagonal {
@@ -211,6 +209,24 @@ fn descent<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
             let curvature = square + dot(r, &second[2 * i]);
             change[i] = -dot(r, &b[i]) / positive(curvature, square);
         }
+    }
+    change
+}
+
+/// −a⁻¹ f: a descent direction whatever the curvature; zero where the tangents are parallel.
+fn gauss_newton<const D: usize, const P: usize, const H: usize>(
+    vectors: &Vectors<D, P, H>,
+) -> [f64; P] {
+    let mut change = [0.0; P];
+    let (first, second) = (&vectors.b[0], &vectors.b[P - 1]);
+    let (a11, a12, a22) = (dot(first, first), dot(first, second), dot(second, second));
+    let (f1, f2) = (dot(&vectors.r, first), dot(&vectors.r, second));
+    let determinant = a11 * a22 - a12 * a12;
+    if determinant > 1e-10 * a11 * a22 && determinant > 1e-100 {
+        change[0] = (a12 * f2 - a22 * f1) / determinant;
+        change[P - 1] = (a12 * f1 - a11 * f2) / determinant;
+    } else {
+        change[0] = -f1 / positive(a11, a11);
     }
     change
 }

@@ -48,7 +48,15 @@ pub fn contract<R: Receiver, const D: usize, const P: usize>(
     for k in 0..D {
         let factors = core::array::from_fn(|j| coefficients.right[j][k]);
         let turn = moving.then_some(&factors);
-        factor(temporaries.u[k], temporaries.h, s, ds, &coefficients.p[k], n, turn);
+        factor(
+            temporaries.u[k],
+            temporaries.h,
+            s,
+            ds,
+            &coefficients.p[k],
+            n,
+            turn,
+        );
         for (u, &m) in temporaries.u[k].iter_mut().zip(measure) {
             *u += n[k] * m;
         }
@@ -56,7 +64,15 @@ pub fn contract<R: Receiver, const D: usize, const P: usize>(
     if moving {
         for j in 0..P {
             let turn = Some(&coefficients.s[j]);
-            factor(temporaries.g[j], temporaries.h, s, ds, &coefficients.left[j], n, turn);
+            factor(
+                temporaries.g[j],
+                temporaries.h,
+                s,
+                ds,
+                &coefficients.left[j],
+                n,
+                turn,
+            );
         }
     }
     for (a, &s_a) in s.iter().enumerate() {

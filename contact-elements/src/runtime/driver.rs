@@ -3,108 +3,12 @@
 //! The first pass touches no output, so a failure leaves everything as it was. Open points return before
 //! anything that only closed contact needs.
 
-use core::cell::Cell;
-
+use super::classify::{Point, classify, load_slave, orientation};
 use super::contraction::{Temporaries, contract};
 use super::element::Element;
 use super::placement::Placement;
-use super::projection::project;
-use super::shape::{NormalLaw, Traction};
-use super::values::{Coefficients, Gap, Rows, Status, Vectors};
-use crate::arithmetic::abs;
-
-/// Which outputs are wanted, and how.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Wanted {
-    /// Residual.
-    pub residual: bool,
-    /// Tangent.
-    pub tangent: bool,
-    /// Open or closed as the history says.
-    pub freeze: bool,
-    /// The history holds the projection itself.
-    pub projection_given: bool,
-}
-
-/// Inputs of an evaluation besides the nodes.
-#[derive(Clone, Copy, Debug)]
-pub struct Call<'a> {
-    /// Parameters, checked.
-    pub parameters: &'a [f64],
-    /// Accepted history: per point status and projected parameters; none: start at the centre. Cells,
-    /// because the host may hand in one array for the old and the new history; all reads come first.
-    pub history: Option<&'a [Cell<f64>]>,
-    /// Interpolated slaves: shape row and weight.
-    pub slave_row: &'a [f64],
-    /// Wanted outputs.
-    pub wanted: Wanted,
-}
-
-/// What is known of one contact point after an evaluation.
-#[derive(Clone, Copy, Debug)]
-pub struct Report {
-    /// Outcome.
-    pub status: Status,
-    /// 0, or the feature beyond which the projection lies.
-    pub feature: u8,
-    /// Gap [length].
-    pub gap: f64,
-    /// Normal traction.
-    pub traction: f64,
-    /// Weight times Jacobian.
-    pub weight: f64,
-    /// Projected parameters.
-    pub zeta: [f64; 2],
-    /// Unit normal in the global frame; third entry 0 in 2D.
-    pub normal: [f64; 3],
-    /// Newton steps.
-    pub iterations: u32,
-}
-
-/// Takes the outputs of an evaluation: dense arrays, strided ones, a sparse matrix.
-pub trait Receiver {
-    /// All of residual and tangent is zero: no point is closed.
-    fn open(&mut self, unknowns: usize);
-    /// Entry (node, component) of the residual; `first`: replaces, else adds.
-    fn force(&mut self, place: (usize, usize), value: f64, first: bool);
-    /// Row `unknown` of the tangent; `first`: replaces, else adds.
-    fn row(&mut self, unknown: usize, row: &[f64], first: bool);
-    /// Outcome of point `point`.
-    fn report(&mut self, point: usize, report: &Report);
-    /// Contact energy of the element.
-    fn energy(&mut self, energy: f64);
-}
-
-/// Outcome of an element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Summary {
-    /// Status of its worst point.
-    pub status: Status,
-    /// Closed points.
-    pub closed: u32,
-}
-
-/// A point that could not be evaluated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Failure {
-    /// Why.
-    pub status: Status,
-    /// Which point.
-    pub point: usize,
-}
-
-/// A point after the first pass.
-#[derive(Clone, Copy)]
-struct Point<const D: usize, const P: usize, const H: usize> {
-    status: Status,
-    feature: u8,
-    zeta: [f64; P],
-    vectors: Vectors<D, P, H>,
-    gap: Gap<D>,
-    /// Of a closed point.
-    law: Traction,
-    iterations: u32,
-}
+pub(super) use super::receiver::{Call, Failure, Receiver, Report, Summary};
+use super::values::{Coefficients, Rows, Status};
 
 /// Nodes and scratch of an evaluation; see [`kernel`](super::fixed) for who makes them.
 #[derive(Debug)]
@@ -229,149 +133,6 @@ fn placement<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize
         .map(|at| Placement::from_parameters(parameters.get(at..).unwrap_or(&[])))
 }
 
-/// First pass: projection, gap, status.
-#[inline(always)]
-fn classify<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P>,
-    number: usize,
-) -> Result<Point<D, P, H>, Status> {
-    load_slave::<E, D, P, H>(call, stage, number);
-    let history = call
-        .history
-        .and_then(|history| history.get(number * (1 + P)..));
-    let mut start = E::centre();
-    if let Some(history) = history {
-        for (start, value) in start.iter_mut().zip(history.iter().skip(1)) {
-            *start = value.get();
-        }
-    }
-    let given = call.wanted.projection_given;
-    let projected = project::<E, D, P, H>(
-        stage.x,
-        start,
-        given,
-        call.parameters,
-        stage.scale,
-        &mut stage.rows,
-    )?;
-    let mut point = Point {
-        status: Status::Outside,
-        feature: projected.feature,
-        zeta: projected.zeta,
-        vectors: projected.vectors,
-        gap: Gap::default(),
-        law: Traction::default(),
-        iterations: projected.iterations,
-    };
-    if !E::SIGNED && is_zero(&point.vectors.r, stage.scale) {
-        return Err(Status::Degenerate);
-    }
-    if !E::is_regular(number, stage.x, &point.vectors, call.parameters) {
-        return Err(Status::Degenerate);
-    }
-    let orientation = orientation::<E, D, P, H>(call.parameters);
-    point.gap = E::gap(&point.vectors, call.parameters, orientation);
-    if !(is_finite(&point.gap.n) & is_finite(&[point.gap.gap])) {
-        return Err(Status::Degenerate);
-    }
-    if point.feature != 0 {
-        return Ok(point);
-    }
-    let gap = point.gap.gap;
-    let closed = match (call.wanted.freeze, history) {
-        (true, Some(history)) => history.first().map(Cell::get) == Some(1.0),
-        _ => E::Law::active(gap, call.parameters) > 0.0,
-    };
-    if closed {
-        point.status = Status::Closed;
-        point.law = law::<E, D, P, H>(gap, call.parameters)?;
-        if call.wanted.tangent && !has_derivatives(&point.vectors) {
-            return Err(Status::Degenerate);
-        }
-    } else {
-        point.status = Status::Open;
-    }
-    Ok(point)
-}
-
-/// N, N' and W of a closed point, where the law is defined and its values are numbers.
-#[inline(always)]
-fn law<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    gap: f64,
-    parameters: &[f64],
-) -> Result<Traction, Status> {
-    if E::Law::valid(gap, parameters) <= 0.0 {
-        return Err(Status::Law);
-    }
-    let law = E::Law::evaluate(gap, parameters);
-    if is_finite(&[law.traction, law.slope, law.energy]) {
-        Ok(law)
-    } else {
-        Err(Status::Law)
-    }
-}
-
-/// The tangents and second derivatives are numbers.
-#[inline(always)]
-fn has_derivatives<const D: usize, const P: usize, const H: usize>(
-    vectors: &Vectors<D, P, H>,
-) -> bool {
-    let mut finite = true;
-    for vector in vectors.b.iter().chain(&vectors.second) {
-        finite &= is_finite(vector);
-    }
-    finite
-}
-
-#[inline(always)]
-fn is_finite<const N: usize>(values: &[f64; N]) -> bool {
-    let mut finite = true;
-    for &value in values {
-        finite &= abs(value) <= f64::MAX;
-    }
-    finite
-}
-
-/// |r| is zero to rounding.
-#[inline(always)]
-fn is_zero<const D: usize>(r: &[f64; D], scale: f64) -> bool {
-    r.iter()
-        .all(|&component| abs(component) <= (8.0 * f64::EPSILON * scale).max(1e-30))
-}
-
-#[inline(always)]
-fn orientation<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    parameters: &[f64],
-) -> f64 {
-    match E::LAYOUT.orientation.and_then(|at| parameters.get(at)) {
-        Some(&value) if value < 0.0 => -1.0,
-        _ => 1.0,
-    }
-}
-
-/// The slave's fixed row: of the declaration, or handed in.
-#[inline(always)]
-fn load_slave<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P>,
-    number: usize,
-) {
-    if E::SLAVE_NODES == 0 {
-        let slaves = call.slave_row.len().saturating_sub(1);
-        for (s, &value) in stage
-            .rows
-            .s
-            .iter_mut()
-            .zip(call.slave_row.iter().take(slaves))
-        {
-            *s = value;
-        }
-    } else {
-        E::slave(number, call.parameters, stage.rows.s);
-    }
-}
-
 /// Second pass of a closed point: law, residual, tangent. Returns its energy.
 #[inline(always)]
 fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>(
@@ -387,18 +148,7 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
         E::kinematics(stage.x, &point.zeta, call.parameters, &mut stage.rows);
     }
     let law = point.law;
-    let weight = if E::SLAVE_NODES == 0 {
-        call.slave_row.last().copied().unwrap_or(1.0)
-    } else {
-        E::measure(
-            number,
-            stage.reference,
-            stage.x,
-            call.parameters,
-            stage.variation,
-        )
-        .weight
-    };
+    let weight = weight::<E, D, P, H>(call, stage, number);
     let n = match placement {
         Some(placement) => placement.vector_to_global(&point.gap.n),
         None => point.gap.n,
@@ -412,35 +162,68 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
         }
     }
     if call.wanted.tangent {
-        let orientation = orientation::<E, D, P, H>(call.parameters);
-        let coefficients = E::tangent(
-            &point.vectors,
-            &point.gap,
-            &law,
-            call.parameters,
-            orientation,
-        );
-        let coefficients = in_global_frame(coefficients, placement, weight);
-        let variation: &[f64] = if E::CURRENT {
-            scale_variation(stage.variation, law.traction, placement);
-            stage.variation
-        } else {
-            &[]
-        };
-        contract(
-            stage.rows.s,
-            core::array::from_fn(|j| &*stage.rows.ds[j]),
-            &n,
-            &coefficients,
-            variation,
-            E::MOVING,
-            first,
-            &mut stage.temporaries,
-            receiver,
-        );
+        tangent::<E, R, D, P, H>(call, stage, receiver, placement, point, (&n, weight, first));
     }
     receiver.report(number, &report(point, placement, law.traction, weight));
     weight * law.energy
+}
+
+/// The point's own weight: of the caller, or of the slave's area.
+#[inline(always)]
+fn weight<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    call: &Call<'_>,
+    stage: &mut Stage<'_, D, P>,
+    number: usize,
+) -> f64 {
+    if E::SLAVE_NODES == 0 {
+        return call.slave_row.last().copied().unwrap_or(1.0);
+    }
+    let measure = E::measure(
+        number,
+        stage.reference,
+        stage.x,
+        call.parameters,
+        stage.variation,
+    );
+    measure.weight
+}
+
+/// Adds the tangent of a closed point with global normal `n`.
+#[inline(always)]
+fn tangent<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>(
+    call: &Call<'_>,
+    stage: &mut Stage<'_, D, P>,
+    receiver: &mut R,
+    placement: &Option<Placement<D>>,
+    point: &Point<D, P, H>,
+    (n, weight, first): (&[f64; D], f64, bool),
+) {
+    let orientation = orientation::<E, D, P, H>(call.parameters);
+    let coefficients = E::tangent(
+        &point.vectors,
+        &point.gap,
+        &point.law,
+        call.parameters,
+        orientation,
+    );
+    let coefficients = in_global_frame(coefficients, placement, weight);
+    let variation: &[f64] = if E::CURRENT {
+        scale_variation(stage.variation, point.law.traction, placement);
+        stage.variation
+    } else {
+        &[]
+    };
+    contract(
+        stage.rows.s,
+        core::array::from_fn(|j| &*stage.rows.ds[j]),
+        n,
+        &coefficients,
+        variation,
+        E::MOVING,
+        first,
+        &mut stage.temporaries,
+        receiver,
+    );
 }
 
 /// N w ∂J/∂x in the global frame.

@@ -375,7 +375,10 @@ pub fn interpolated<
     let first_master = n.saturating_sub(E::MASTER_NODES);
     let is_vector = |a: usize| {
         let master = a.checked_sub(first_master);
-        master.and_then(|m| masters_vectors.get(m)).copied().unwrap_or(false)
+        master
+            .and_then(|m| masters_vectors.get(m))
+            .copied()
+            .unwrap_or(false)
     };
     let (scale, origin) = gather::<E, D, P, H>(nodes, call.parameters, is_vector, x, &mut [])?;
     shift_of_row(call.slave_row, &origin, x);

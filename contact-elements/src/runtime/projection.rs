@@ -46,21 +46,26 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
     if matches!(E::SEARCH, Search::Closed) && !given {
         zeta = E::closed_projection(&super::slave_point(x, rows.s, 0), parameters);
     }
-    let mut vectors = E::kinematics(x, &zeta, parameters, rows);
     let mut iterations = 0;
-    if P > 0 {
-        if given || matches!(E::SEARCH, Search::Closed) {
-            step::<E, D, P, H>(&vectors, scale)?;
-        } else {
-            match newton::<E, D, P, H>(x, parameters, scale, rows, &mut zeta, &mut vectors) {
-                Ok(steps) => iterations = steps,
-                Err(Status::Degenerate) => return Err(Status::Degenerate),
-                // beyond an edge the free stationary point need not exist
-                Err(_) => {
-                    return constrained::<E, D, P, H>(x, start, parameters, scale, rows);
-                }
-            }
+    let mut is_free = true;
+    if P > 0 && !given && !matches!(E::SEARCH, Search::Closed) {
+        match newton::<E, D, P, H>(x, parameters, scale, rows, &mut zeta) {
+            Ok(steps) => iterations = steps,
+            Err(Status::Degenerate) => return Err(Status::Degenerate),
+            // beyond an edge the free stationary point need not exist
+            Err(_) => is_free = false,
         }
+    }
+    let vectors = E::kinematics(x, &zeta, parameters, rows);
+    if P > 0 && is_free {
+        match step::<E, D, P, H>(&vectors, scale) {
+            Ok(_) => {}
+            Err(Status::NotUnique) if iterations > 0 => is_free = false,
+            Err(status) => return Err(status),
+        }
+    }
+    if !is_free {
+        return apart::<E, D, P, H>(x, start, parameters, scale, rows);
     }
     Ok(Projected {
         zeta,
@@ -70,6 +75,46 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
     })
 }
 
+/// The search within the domain, on copies: the arrays of the kernel itself are handed to no call, so that
+/// they need not be memory.
+#[inline(always)]
+fn apart<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    x: &[[f64; D]],
+    start: [f64; P],
+    parameters: &[f64],
+    scale: f64,
+    rows: &mut Rows<'_, P>,
+) -> Result<Projected<D, P, H>, Status> {
+    const ROOM: usize = 32;
+    let n = x.len();
+    if n > ROOM {
+        return constrained::<E, D, P, H>(x, start, parameters, scale, rows);
+    }
+    let mut nodes = [[0.0; D]; ROOM];
+    let mut s = [0.0; ROOM];
+    let mut ds = [[0.0; ROOM]; P];
+    copy(x, &mut nodes);
+    copy(rows.s, &mut s);
+    let mut copies = Rows {
+        s: &mut s[..n],
+        ds: ds.each_mut().map(|row| &mut row[..n]),
+    };
+    let found = constrained::<E, D, P, H>(&nodes[..n], start, parameters, scale, &mut copies);
+    copy(&s, rows.s);
+    for i in 0..P {
+        copy(&ds[i], rows.ds[i]);
+    }
+    found
+}
+
+/// As many entries as both have.
+#[inline(always)]
+fn copy<T: Copy>(from: &[T], to: &mut [T]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = *from;
+    }
+}
+
 #[inline(always)]
 fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     x: &[[f64; D]],
@@ -77,14 +122,24 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     scale: f64,
     rows: &mut Rows<'_, P>,
     zeta: &mut [f64; P],
-    vectors: &mut Vectors<D, P, H>,
 ) -> Result<u32, Status> {
+    let bilinear = P == 2 && matches!(E::CURVED, [false, true, false]);
+    let centre = E::centre();
+    let mut at_centre = Vectors::default();
+    if bilinear {
+        at_centre = E::kinematics(x, &centre, parameters, rows);
+    }
     let mut previous = f64::MAX;
     for iteration in 1..=MOST_STEPS {
+        let vectors = if bilinear {
+            displaced(&at_centre, &centre, zeta)
+        } else {
+            E::kinematics(x, zeta, parameters, rows)
+        };
         let Step {
             mut change,
             at_rounding_level,
-        } = step::<E, D, P, H>(vectors, scale)?;
+        } = step::<E, D, P, H>(&vectors, scale)?;
         let mut size: f64 = 0.0;
         for i in 0..P {
             let extent = E::extent(i);
@@ -93,11 +148,9 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
             let relative = abs(change[i]) / extent;
             size = if relative > size { relative } else { size };
         }
-        *vectors = E::kinematics(x, zeta, parameters, rows);
         // the steps no longer shrink because f is rounding noise
         let stagnates = iteration > 2 && at_rounding_level && size > 0.25 * previous;
         if stagnates || finished(E::SEARCH, iteration, size, previous) {
-            step::<E, D, P, H>(vectors, scale)?;
             return Ok(iteration);
         }
         if abs(zeta[0]) > 1e6 * E::extent(0) || abs(zeta[P - 1]) > 1e6 * E::extent(P - 1) {
@@ -108,9 +161,29 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     Err(Status::NotConverged)
 }
 
-/// After a step of relative size `size`: is the next one below rounding? Quadratic convergence predicts
-/// size·(size/previous)²·… from the last two steps; an affine pair needs a second step only to remove the
-/// rounding of a far start.
+/// r, b_i and r_,12 at ζ from those at another point, where r_,11 and r_,22 vanish identically: r is bilinear
+/// and r_,12 constant, so Newton's steps need neither shape functions nor nodes. [eq:bilinear]
+#[inline(always)]
+fn displaced<const D: usize, const P: usize, const H: usize>(
+    from: &Vectors<D, P, H>,
+    at: &[f64; P],
+    zeta: &[f64; P],
+) -> Vectors<D, P, H> {
+    let mut to = *from;
+    let (first, last) = (zeta[0] - at[0], zeta[P - 1] - at[P - 1]);
+    for k in 0..D {
+        let mixed = from.second[1][k];
+        to.b[0][k] = from.b[0][k] + last * mixed;
+        to.b[P - 1][k] = from.b[P - 1][k] + first * mixed;
+        // r + b_1 d_1 + b_2 d_2 + r_,12 d_1 d_2
+        to.r[k] = (from.r[k] + last * from.b[P - 1][k]) + first * to.b[0][k];
+    }
+    to
+}
+
+/// After a step of relative size `size`: is the next one below rounding? Quadratic convergence makes it
+/// C·size² with C = size/previous², but a single ratio can be small by luck, so C counts as at least 1. An
+/// affine pair needs a second step only to remove the rounding of a far start.
 #[inline(always)]
 fn finished(search: Search, iteration: u32, size: f64, previous: f64) -> bool {
     if matches!(search, Search::Affine) {
@@ -119,7 +192,11 @@ fn finished(search: Search, iteration: u32, size: f64, previous: f64) -> bool {
     if size <= 1e-15 {
         return true;
     }
-    iteration > 1 && size < 0.1 * previous && size * size * size <= 1e-16 * (previous * previous)
+    let square = size * size;
+    iteration > 1
+        && size < 0.1 * previous
+        && square <= 1e-15
+        && square * size <= 1e-15 * (previous * previous)
 }
 
 /// A Newton step.

@@ -60,8 +60,13 @@ mod tests {
     use super::*;
 
     fn surface(terms: usize) -> syn::Result<()> {
-        let sum: Vec<String> = (1..=terms).map(|k| format!("sin({k}*u)*cos({k}*v)")).collect();
-        let text = format!("rigid surface Wavy(u, v) {{ rho = [u, v, {}]; }}", sum.join(" + "));
+        let sum: Vec<String> = (1..=terms)
+            .map(|k| format!("sin({k}*u)*cos({k}*v)"))
+            .collect();
+        let text = format!(
+            "rigid surface Wavy(u, v) {{ rho = [u, v, {}]; }}",
+            sum.join(" + ")
+        );
         let file = syn::parse_str(&text)?;
         check(&Model::build(&file, None)?)
     }

@@ -17,7 +17,7 @@ pub fn symbols(prefix: &str, elements: &[Element]) -> String {
     for (index, element) in elements.iter().enumerate() {
         let symbol = symbol_name(&element.name.to_string());
         for line in element.docs.trim().lines() {
-            let _ = writeln!(text, "/* {} */", line.trim());
+            let _ = writeln!(text, "/* {} */", comment(line.trim()));
         }
         let _ = writeln!(text, "#define {upper}_{} {index}", symbol.to_uppercase());
         let _ = writeln!(
@@ -26,6 +26,11 @@ pub fn symbols(prefix: &str, elements: &[Element]) -> String {
         );
     }
     text
+}
+
+/// Text that neither ends nor opens a C comment.
+fn comment(text: &str) -> String {
+    text.replace("*/", "* /").replace("/*", "/ *")
 }
 
 /// [`symbols`] as a header of its own, beside `contact_elements.h`.
@@ -58,8 +63,8 @@ pub fn fortran_include(prefix: &str, elements: &[Element]) -> String {
     let upper = prefix.to_uppercase();
     let mut text = String::from("! Request bits: what an evaluation is to write; their sum.\n");
     let constant = |text: &mut String, name: &str, value: usize| {
-        let _ = writeln!(text, "      INTEGER {upper}_{name}");
-        let _ = writeln!(text, "      PARAMETER ({upper}_{name} = {value})");
+        fortran_statement(text, "INTEGER ", &format!("{upper}_{name}"));
+        fortran_statement(text, "PARAMETER (", &format!("{upper}_{name} = {value})"));
     };
     for (name, bit) in REQUESTS {
         constant(&mut text, name, bit as usize);
@@ -80,6 +85,23 @@ pub fn fortran_include(prefix: &str, elements: &[Element]) -> String {
         let _ = writeln!(text, "{line}");
     }
     text
+}
+
+/// Last column of a statement in fixed form.
+const LAST_COLUMN: usize = 72;
+
+/// A statement for both forms: where it does not fit, `&` in column 73 and in column 6 of the next line.
+/// Fixed form ignores the one and free form joins the two, even within a name.
+fn fortran_statement(text: &mut String, keyword: &str, rest: &str) {
+    let mut line = format!("      {keyword}");
+    for letter in rest.chars() {
+        if line.len() == LAST_COLUMN {
+            let _ = writeln!(text, "{line}&");
+            line = String::from("     &");
+        }
+        line.push(letter);
+    }
+    let _ = writeln!(text, "{line}");
 }
 
 /// A whole header for a library with its own prefix.
@@ -205,4 +227,42 @@ pub fn write(source: &Path, directory: &Path) -> Result<PathBuf, HeaderError> {
         return Ok(path);
     }
     Err(HeaderError::NothingExported)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn statement(keyword: &str, rest: &str) -> String {
+        let mut text = String::new();
+        fortran_statement(&mut text, keyword, rest);
+        text
+    }
+
+    #[test]
+    fn short_statements_stay_on_one_line() {
+        assert_eq!(statement("INTEGER ", "CTE_A"), "      INTEGER CTE_A\n");
+        let full = "X".repeat(LAST_COLUMN - 14);
+        assert_eq!(statement("INTEGER ", &full).lines().count(), 1);
+    }
+
+    #[test]
+    fn long_statements_continue_in_both_forms() {
+        let name = format!("{} = 12)", "N".repeat(63));
+        let text = statement("PARAMETER (", &name);
+        let lines: Vec<&str> = text.lines().collect();
+        let [first, second] = lines[..] else {
+            panic!("{text}");
+        };
+        assert_eq!(first.find('&'), Some(LAST_COLUMN), "column 73");
+        assert_eq!(second.find('&'), Some(5), "column 6");
+        let fixed = format!("{}{}", &first[6..LAST_COLUMN], &second[6..]);
+        assert_eq!(fixed, format!("PARAMETER ({name}"));
+    }
+
+    #[test]
+    fn comments_of_elements_stay_comments() {
+        assert_eq!(comment("a */ int x; /* b */"), "a * / int x; / * b * /");
+        assert!(!comment("/*/*/**/").contains("*/"));
+    }
 }

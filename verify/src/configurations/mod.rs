@@ -148,8 +148,24 @@ impl Generator {
         let mut moved = motion::apply(&recipe, built, &self.freedom, stream);
         moved.start = starts(&moved, stream)?;
         moved.points = solve::reports(&moved.pair, &moved.state()).ok()?;
-        accepted(&moved.points, wanted).then_some(moved)
+        (accepted(&moved.points, wanted) && is_deep(&moved)).then_some(moved)
     }
+}
+
+/// Least depth of the deepest closed point, in sizes: shallower gaps keep too few digits to judge by.
+const LEAST_DEPTH: f64 = 1e-2;
+
+/// No point is closed, or the deepest one is deep enough.
+fn is_deep(configuration: &Configuration) -> bool {
+    let closed = |point: &&PointReport| point.status == PointStatus::Closed;
+    let depths = configuration
+        .points
+        .iter()
+        .filter(closed)
+        .map(|point| point.gap.abs());
+    depths
+        .reduce(f64::max)
+        .is_none_or(|depth| depth >= 0.99 * LEAST_DEPTH * configuration.size)
 }
 
 /// Starts near the solutions, which are searched.

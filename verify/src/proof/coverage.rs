@@ -32,6 +32,7 @@ const STATUSES: [Status; 7] = [
 pub fn prove(subjects: &[Subject], seen: &mut Seen) -> Finding {
     let mut finding = Finding::default();
     passed_barrier(&mut finding, subjects, seen);
+    far_start(&mut finding, subjects, seen);
     for status in STATUSES {
         if seen.statuses.contains(&(status as i32)) {
             finding.pass();
@@ -78,6 +79,32 @@ fn passed_barrier(finding: &mut Finding, subjects: &[Subject], seen: &mut Seen) 
     }
 }
 
+/// A start a thousand turns along a slender helix: too far for the projection, which must say so.
+fn far_start(finding: &mut Finding, subjects: &[Subject], seen: &mut Seen) {
+    let Some(subject) = subjects.iter().find(|s| s.name() == "PointHelix") else {
+        finding.fail("PointHelix is not among the elements".to_string());
+        return;
+    };
+    // eps_n, r0, radius, rise, placement
+    let parameters = [1000.0, 0.5, 0.01, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let answer = subject.call(
+        &Input {
+            reference: &[0.3, 0.0, 0.2],
+            displacement: &[0.0; 3],
+            parameters: &parameters,
+            history: &[0.0, 6000.0],
+            slave_row: &[],
+        },
+        Wanted::BOTH,
+    );
+    if answer.status() == Some(Status::NotConverged) && answer.is_untouched() {
+        seen.statuses.insert(Status::NotConverged as i32);
+        finding.pass();
+    } else {
+        finding.fail(format!("a far start: {:?}", answer.outcome));
+    }
+}
+
 /// A point 0.1 below a unit facet.
 const FACET: [f64; 15] = [
     0.1, 0.2, -0.1, -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0,
@@ -102,15 +129,63 @@ struct Data {
 }
 
 const FAULTS: [Fault; 9] = [
-    Fault { what: "no coordinates", code: code::NULL, argument: argument::X, change: |d| d.x.clear() },
-    Fault { what: "NaN coordinate", code: code::NOT_FINITE, argument: argument::X, change: |d| d.x[4] = f64::NAN },
-    Fault { what: "infinite displacement", code: code::NOT_FINITE, argument: argument::U, change: |d| d.u[7] = f64::INFINITY },
-    Fault { what: "missing parameter", code: code::PARAMETER, argument: argument::PARAMETERS, change: |d| d.parameters.truncate(1) },
-    Fault { what: "negative stiffness", code: code::PARAMETER, argument: argument::PARAMETERS, change: |d| d.parameters[0] = -1.0 },
-    Fault { what: "NaN parameter", code: code::NOT_FINITE, argument: argument::PARAMETERS, change: |d| d.parameters[0] = f64::NAN },
-    Fault { what: "unknown request", code: code::REQUEST, argument: argument::REQUEST, change: |d| d.bits = 1 << 20 },
-    Fault { what: "frozen without history", code: code::NULL, argument: argument::HISTORY_OLD, change: |d| { d.bits = request::FREEZE_STATE; d.history.clear(); } },
-    Fault { what: "huge history", code: code::NOT_FINITE, argument: argument::HISTORY_OLD, change: |d| d.history[1] = 1e300 },
+    Fault {
+        what: "no coordinates",
+        code: code::NULL,
+        argument: argument::X,
+        change: |d| d.x.clear(),
+    },
+    Fault {
+        what: "NaN coordinate",
+        code: code::NOT_FINITE,
+        argument: argument::X,
+        change: |d| d.x[4] = f64::NAN,
+    },
+    Fault {
+        what: "infinite displacement",
+        code: code::NOT_FINITE,
+        argument: argument::U,
+        change: |d| d.u[7] = f64::INFINITY,
+    },
+    Fault {
+        what: "missing parameter",
+        code: code::PARAMETER,
+        argument: argument::PARAMETERS,
+        change: |d| d.parameters.truncate(1),
+    },
+    Fault {
+        what: "negative stiffness",
+        code: code::PARAMETER,
+        argument: argument::PARAMETERS,
+        change: |d| d.parameters[0] = -1.0,
+    },
+    Fault {
+        what: "NaN parameter",
+        code: code::NOT_FINITE,
+        argument: argument::PARAMETERS,
+        change: |d| d.parameters[0] = f64::NAN,
+    },
+    Fault {
+        what: "unknown request",
+        code: code::REQUEST,
+        argument: argument::REQUEST,
+        change: |d| d.bits = 1 << 20,
+    },
+    Fault {
+        what: "frozen without history",
+        code: code::NULL,
+        argument: argument::HISTORY_OLD,
+        change: |d| {
+            d.bits = request::FREEZE_STATE;
+            d.history.clear();
+        },
+    },
+    Fault {
+        what: "huge history",
+        code: code::NOT_FINITE,
+        argument: argument::HISTORY_OLD,
+        change: |d| d.history[1] = 1e300,
+    },
 ];
 
 fn front_door(finding: &mut Finding, subject: &Subject) {
@@ -142,7 +217,10 @@ fn front_door(finding: &mut Finding, subject: &Subject) {
         if outcome.code == fault.code && outcome.argument == fault.argument && untouched {
             finding.pass();
         } else {
-            finding.fail(format!("{}: {outcome:?}, untouched: {untouched}", fault.what));
+            finding.fail(format!(
+                "{}: {outcome:?}, untouched: {untouched}",
+                fault.what
+            ));
         }
     }
 }

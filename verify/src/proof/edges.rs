@@ -82,7 +82,10 @@ fn one(finding: &mut Finding, seen: &mut Seen, subject: &Subject, case: &EdgeCas
         Expected::Closed => status == Some(Status::Closed),
         Expected::Open => status == Some(Status::Open) && answer.is_zero(),
         Expected::OnBoundary(_) => {
-            matches!(status, Some(Status::Closed | Status::Open | Status::Outside))
+            matches!(
+                status,
+                Some(Status::Closed | Status::Open | Status::Outside)
+            )
         }
         Expected::Outside(_) => status == Some(Status::Outside) && answer.is_zero(),
         Expected::Degenerate => {
@@ -97,7 +100,10 @@ fn one(finding: &mut Finding, seen: &mut Seen, subject: &Subject, case: &EdgeCas
         }
     };
     if !fine {
-        finding.fail(format!("{what}: {:?} instead of {:?}", answer.outcome, case.expected));
+        finding.fail(format!(
+            "{what}: {:?} instead of {:?}",
+            answer.outcome, case.expected
+        ));
     } else if status == Some(Status::Closed) {
         compare(finding, case, &answer, &what);
     } else {

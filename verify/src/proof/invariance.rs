@@ -38,7 +38,9 @@ pub fn prove(subject: &Subject, seed: u64) -> Invariance {
     let generator = random::generator(subject, seed);
     for index in 0..STATES {
         let Ok(configuration) = generator.generate(Wanted::Closed, index) else {
-            result.finding.fail(format!("state {index} could not be made"));
+            result
+                .finding
+                .fail(format!("state {index} could not be made"));
             continue;
         };
         let answer = random::call(subject, &configuration, subject::Wanted::BOTH);
@@ -55,7 +57,9 @@ fn symmetry(result: &mut Invariance, subject: &Subject, answer: &Answer, index: 
         return;
     }
     let n = answer.residual.len();
-    let transposed: Vec<f64> = (0..n * n).map(|at| answer.tangent[at % n * n + at / n]).collect();
+    let transposed: Vec<f64> = (0..n * n)
+        .map(|at| answer.tangent[at % n * n + at / n])
+        .collect();
     let error = relative_error(&answer.tangent, &transposed);
     result.symmetry.absorb(error, index);
     result.finding.compare("symmetry", error, SYMMETRY);
@@ -80,7 +84,10 @@ fn balance(
     index: u64,
 ) {
     let pair = &configuration.pair;
-    if matches!(pair.master, Master::Parametric { .. } | Master::Distance { .. }) {
+    if matches!(
+        pair.master,
+        Master::Parametric { .. } | Master::Distance { .. }
+    ) {
         return;
     }
     let d = subject.description.descriptor.dimension;
@@ -134,7 +141,10 @@ fn motion(
     index: u64,
 ) {
     let pair = &configuration.pair;
-    let rigid = matches!(pair.master, Master::Parametric { .. } | Master::Distance { .. });
+    let rigid = matches!(
+        pair.master,
+        Master::Parametric { .. } | Master::Distance { .. }
+    );
     if rigid && !subject.description.placed {
         return;
     }
@@ -169,7 +179,10 @@ fn motion(
     };
     let mut error = relative_error(&found.residual, &turn(&answer.residual));
     if !answer.tangent.is_empty() {
-        error = error.max(relative_error(&found.tangent, &turn_tensor(&answer.tangent, n, &turn)));
+        error = error.max(relative_error(
+            &found.tangent,
+            &turn_tensor(&answer.tangent, n, &turn),
+        ));
     }
     result.motion.absorb(error, index);
     result.finding.compare("rigid motion", error, MOTION);

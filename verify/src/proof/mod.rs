@@ -11,11 +11,6 @@
 //! | `mutation` | every term dropped, doubled, flipped: each must be noticed |
 //! | `coverage` | every status, feature, return code and argument was seen |
 
-
-
-
-
-
 pub mod coverage;
 pub mod edges;
 pub mod interpreted;
@@ -85,7 +80,9 @@ impl Finding {
         if error <= tolerance {
             self.pass();
         } else {
-            self.fail(format!("{what}: error {error:.2e}, allowed {tolerance:.0e}"));
+            self.fail(format!(
+                "{what}: error {error:.2e}, allowed {tolerance:.0e}"
+            ));
         }
     }
 

@@ -70,9 +70,7 @@ impl Case {
 
     /// Does the comparison that judges the compiled element notice a difference?
     fn notices(&self, subject: &Subject, found: &Interpreted) -> bool {
-        let differs = |found: &[f64], expected: &[f64]| {
-            !(relative_error(found, expected) <= RANDOM)
-        };
+        let differs = |found: &[f64], expected: &[f64]| relative_error(found, expected) > RANDOM;
         let descriptor = subject.description.descriptor;
         differs(&found.residual, &self.truth.residual)
             || (descriptor.energy && differs(&[found.energy], &[self.truth.energy]))
@@ -143,5 +141,7 @@ fn unchanged(mutants: &mut Mutants, subject: &Subject, case: &Case) {
         0.0
     };
     let what = format!("{}: tables against compiled element", subject.name());
-    mutants.unchanged.compare(&what, residual.max(tangent), RANDOM);
+    mutants
+        .unchanged
+        .compare(&what, residual.max(tangent), RANDOM);
 }

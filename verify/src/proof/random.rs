@@ -9,7 +9,7 @@ use super::{Finding, Worst};
 use crate::configurations::{Configuration, Freedom, GenerateError, Generator, Stream, Wanted};
 use crate::oracle::solve::{self, Evaluation, PointStatus};
 use crate::subject::{self, Answer, Input, Subject};
-use crate::tolerance::{ENERGY, RANDOM, for_depth, relative_error};
+use crate::tolerance::{ENERGY, RANDOM, relative_error};
 
 /// Work of a full hyper-dual tangent (entries times points) above which random directions are taken.
 const FULL_WORK: usize = 250;
@@ -61,7 +61,10 @@ pub fn generator(subject: &Subject, seed: u64) -> Generator {
 /// Tries `states` states built for `wanted`; `None` where the pair cannot have that status.
 pub fn prove(subject: &Subject, wanted: Wanted, states: u64, seed: u64) -> Option<Random> {
     let generator = generator(subject, seed);
-    if matches!(generator.generate(wanted, 0), Err(GenerateError::NeverOutside)) {
+    if matches!(
+        generator.generate(wanted, 0),
+        Err(GenerateError::NeverOutside)
+    ) {
         return None;
     }
     let result = (0..states)
@@ -76,7 +79,9 @@ fn one(subject: &Subject, generator: &Generator, wanted: Wanted, index: u64) -> 
     let configuration = match generator.generate(wanted, index) {
         Ok(configuration) => configuration,
         Err(error) => {
-            random.finding.fail(format!("state {index} could not be made: {error}"));
+            random
+                .finding
+                .fail(format!("state {index} could not be made: {error}"));
             return random;
         }
     };
@@ -84,13 +89,23 @@ fn one(subject: &Subject, generator: &Generator, wanted: Wanted, index: u64) -> 
     record(&mut random, &answer);
     match wanted {
         Wanted::Closed => closed(&mut random, subject, &configuration, &answer, index),
-        Wanted::Open => not_closed(&mut random, &answer, index, &[Status::Open, Status::Outside]),
+        Wanted::Open => not_closed(
+            &mut random,
+            &answer,
+            index,
+            &[Status::Open, Status::Outside],
+        ),
         // beyond an edge the unconstrained stationary point need not exist
         Wanted::Outside if !any_closed(&configuration) => not_closed(
             &mut random,
             &answer,
             index,
-            &[Status::Open, Status::Outside, Status::NotConverged, Status::NotUnique],
+            &[
+                Status::Open,
+                Status::Outside,
+                Status::NotConverged,
+                Status::NotUnique,
+            ],
         ),
         Wanted::Outside => closed(&mut random, subject, &configuration, &answer, index),
     }
@@ -129,15 +144,23 @@ fn record(random: &mut Random, answer: &Answer) {
 
 fn not_closed(random: &mut Random, answer: &Answer, index: u64, allowed: &[Status]) {
     let Some(status) = answer.status() else {
-        random.finding.fail(format!("state {index}: {:?}", answer.outcome));
+        random
+            .finding
+            .fail(format!("state {index}: {:?}", answer.outcome));
         return;
     };
     let cut_back = !matches!(status, Status::Open | Status::Outside | Status::Closed);
-    let silent = if cut_back { answer.is_untouched() } else { answer.is_zero() };
+    let silent = if cut_back {
+        answer.is_untouched()
+    } else {
+        answer.is_zero()
+    };
     if allowed.contains(&status) && silent {
         random.finding.pass();
     } else {
-        random.finding.fail(format!("state {index}: status {status:?}, outputs silent: {silent}"));
+        random.finding.fail(format!(
+            "state {index}: status {status:?}, outputs silent: {silent}"
+        ));
     }
 }
 
@@ -153,12 +176,17 @@ fn closed(
     let truth = match truth {
         Ok(truth) => truth,
         Err(error) => {
-            random.finding.fail(format!("state {index}: the oracle gave no answer: {error}"));
+            random
+                .finding
+                .fail(format!("state {index}: the oracle gave no answer: {error}"));
             return;
         }
     };
     if answer.status() != Some(Status::Closed) {
-        random.finding.fail(format!("state {index}: {:?} instead of closed", answer.outcome));
+        random.finding.fail(format!(
+            "state {index}: {:?} instead of closed",
+            answer.outcome
+        ));
         return;
     }
     if let Some(wrong) = wrong_point(&truth, answer) {
@@ -172,14 +200,9 @@ fn closed(
     let tangent = tangent_error(subject, answer, &truth, &directions);
     random.tangent.absorb(tangent, index);
     let worst = residual.max(tangent).max(energy * (RANDOM / ENERGY));
-    let allowed = for_depth(RANDOM, depth(configuration));
-    random.finding.compare(&format!("state {index}"), worst, allowed);
-}
-
-/// Deepest gap of the closed points in sizes.
-fn depth(configuration: &Configuration) -> f64 {
-    let closed = configuration.points.iter().filter(|point| point.status == PointStatus::Closed);
-    closed.fold(0.0_f64, |depth, point| depth.max(point.gap.abs())) / configuration.size
+    random
+        .finding
+        .compare(&format!("state {index}"), worst, RANDOM);
 }
 
 /// Random directions for large elements; none where the full tangent is taken.
@@ -216,11 +239,17 @@ fn wrong_point(truth: &Evaluation, answer: &Answer) -> Option<String> {
             PointStatus::Degenerate | PointStatus::NotConverged => continue,
         };
         if found[0] != f64::from(status as i32) {
-            return Some(format!("point {number}: status {} instead of {status:?}", found[0]));
+            return Some(format!(
+                "point {number}: status {} instead of {status:?}",
+                found[0]
+            ));
         }
         let wrong_gap = (found[1] - expected.gap).abs() > 1e-10 * (1.0 + expected.gap.abs());
         if status == Status::Closed && wrong_gap {
-            return Some(format!("point {number}: gap {} instead of {}", found[1], expected.gap));
+            return Some(format!(
+                "point {number}: gap {} instead of {}",
+                found[1], expected.gap
+            ));
         }
     }
     None
@@ -233,7 +262,8 @@ fn energy_error(subject: &Subject, answer: &Answer, truth: &Evaluation) -> f64 {
     relative_error(&answer.energy, &[truth.energy])
 }
 
-/// Error of the tangent, or of its product with the directions.
+/// Error of the tangent relative to its largest entry; or of its product with the directions, relative to the
+/// largest sum of absolute terms, because the terms of a product may cancel.
 fn tangent_error(
     subject: &Subject,
     answer: &Answer,
@@ -249,12 +279,18 @@ fn tangent_error(
     let unknowns = answer.residual.len();
     let mut worst: f64 = 0.0;
     for (direction, expected) in directions.iter().zip(&truth.products) {
-        let product: Vec<f64> = answer
-            .tangent
-            .chunks_exact(unknowns)
-            .map(|row| row.iter().zip(direction).map(|(k, d)| k * d).sum())
-            .collect();
-        worst = worst.max(relative_error(&product, expected));
+        let (mut difference, mut scale) = (0.0_f64, 0.0_f64);
+        for (row, expected) in answer.tangent.chunks_exact(unknowns).zip(expected) {
+            let terms = || row.iter().zip(direction).map(|(k, d)| k * d);
+            let error = (terms().sum::<f64>() - expected).abs();
+            difference = if error.is_nan() {
+                f64::INFINITY
+            } else {
+                difference.max(error)
+            };
+            scale = scale.max(terms().map(f64::abs).sum());
+        }
+        worst = worst.max(difference / scale);
     }
     worst
 }

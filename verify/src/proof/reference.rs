@@ -63,6 +63,19 @@ struct Expected {
     tangent: Vec<Vec<String>>,
 }
 
+/// Expected values of a case as numbers.
+#[derive(Clone, Debug)]
+pub struct Values {
+    /// Projected parameters.
+    pub zeta: Vec<f64>,
+    /// Gap [length].
+    pub gap: f64,
+    /// R
+    pub residual: Vec<f64>,
+    /// K by rows.
+    pub tangent: Vec<f64>,
+}
+
 /// The frictionless cases.
 ///
 /// # Errors
@@ -120,19 +133,23 @@ impl Case {
         pad(&self.start)
     }
 
-    /// Expected projection, gap, residual, tangent; `None` where a number cannot be read.
-    pub fn expected(&self) -> Option<(Vec<f64>, f64, Vec<f64>, Vec<f64>)> {
+    /// Expected values; `None` where a number cannot be read.
+    pub fn expected(&self) -> Option<Values> {
         let numbers = |list: &[String]| -> Option<Vec<f64>> {
             list.iter().map(|text| text.parse().ok()).collect()
         };
-        let rows: Option<Vec<Vec<f64>>> =
-            self.expected.tangent.iter().map(|row| numbers(row)).collect();
-        Some((
-            numbers(&self.expected.zeta)?,
-            self.expected.gap.parse().ok()?,
-            numbers(&self.expected.residual)?,
-            rows?.concat(),
-        ))
+        let rows: Option<Vec<Vec<f64>>> = self
+            .expected
+            .tangent
+            .iter()
+            .map(|row| numbers(row))
+            .collect();
+        Some(Values {
+            zeta: numbers(&self.expected.zeta)?,
+            gap: self.expected.gap.parse().ok()?,
+            residual: numbers(&self.expected.residual)?,
+            tangent: rows?.concat(),
+        })
     }
 }
 
@@ -186,9 +203,11 @@ pub fn prove(subjects: &[Subject]) -> (Finding, Vec<CaseResult>) {
         }
     };
     for case in &cases {
-        let subject = case
-            .pair()
-            .and_then(|pair| subjects.iter().find(|subject| super::edges::fits(subject, &pair)));
+        let subject = case.pair().and_then(|pair| {
+            subjects
+                .iter()
+                .find(|subject| super::edges::fits(subject, &pair))
+        });
         match subject {
             Some(subject) => one(&mut finding, &mut results, subject, case),
             None => finding.fail(format!("{}: no element of this kind", case.id)),
@@ -198,7 +217,7 @@ pub fn prove(subjects: &[Subject]) -> (Finding, Vec<CaseResult>) {
 }
 
 fn one(finding: &mut Finding, results: &mut Vec<CaseResult>, subject: &Subject, case: &Case) {
-    let (Some(pair), Some((_, _, residual, tangent))) = (case.pair(), case.expected()) else {
+    let (Some(pair), Some(expected)) = (case.pair(), case.expected()) else {
         finding.fail(format!("{}: cannot be read", case.id));
         return;
     };
@@ -218,11 +237,11 @@ fn one(finding: &mut Finding, results: &mut Vec<CaseResult>, subject: &Subject, 
         id: case.id.clone(),
         element: subject.name().to_string(),
         residual: (
-            relative_error(&answer.residual, &residual),
+            relative_error(&answer.residual, &expected.residual),
             allowed(case.spread.residual),
         ),
         tangent: (
-            relative_error(&answer.tangent, &tangent),
+            relative_error(&answer.tangent, &expected.tangent),
             allowed(case.spread.tangent),
         ),
     };

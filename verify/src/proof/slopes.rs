@@ -58,16 +58,30 @@ fn state(
                 hessian.push((distance, of_hessian));
                 tangent.push((distance, of_tangent));
             }
-            None => slopes.finding.fail(format!("no evaluation at {fraction} of the distance")),
+            None => slopes
+                .finding
+                .fail(format!("no evaluation at {fraction} of the distance")),
         }
     }
     if hessian.len() < FRACTIONS.len() {
         return;
     }
     let signed = configuration.pair.gap == GapKind::Signed;
-    judge(&mut slopes.finding, &mut slopes.hessian, "D²g", &hessian, 1.0);
+    judge(
+        &mut slopes.finding,
+        &mut slopes.hessian,
+        "D²g",
+        &hessian,
+        1.0,
+    );
     if signed && configuration.pair.r0 == 0.0 {
-        judge(&mut slopes.finding, &mut slopes.tangent, "tangent", &tangent, 2.0);
+        judge(
+            &mut slopes.finding,
+            &mut slopes.tangent,
+            "tangent",
+            &tangent,
+            2.0,
+        );
     }
     if slopes.series.is_empty() {
         slopes.series = hessian;
@@ -109,7 +123,9 @@ fn errors(
         start: Start::Given(std::slice::from_ref(&point.zeta)),
     };
     let truth = solve::evaluate(&configuration.pair, &state).ok()?;
-    let exact = solve::solve_point(&configuration.pair, &state, 0).ok()?.gap_hessian();
+    let exact = solve::solve_point(&configuration.pair, &state, 0)
+        .ok()?
+        .gap_hessian();
     let parameters = subject.parameters(&configuration.pair);
     let history = subject.history(std::slice::from_ref(&point.zeta));
     let row = subject.slave_row(&configuration.pair);
@@ -163,7 +179,9 @@ fn judge(
 ) {
     let largest = series.first().map_or(0.0, |first| first.1);
     if largest < SLOPE_FLOOR {
-        finding.fail(format!("{what}: agrees to {largest:.1e} at L ≠ 0: the check sees nothing"));
+        finding.fail(format!(
+            "{what}: agrees to {largest:.1e} at L ≠ 0: the check sees nothing"
+        ));
         return;
     }
     let (coarse, fine) = (series[series.len() - 2], series[series.len() - 1]);

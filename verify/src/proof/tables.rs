@@ -55,25 +55,36 @@ fn laws(subjects: &[Subject]) -> Vec<&'static LawPrograms> {
 pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
     let mut finding = Finding::default();
     for geometry in geometries(subjects) {
-        for program in [Some(&geometry.values), geometry.third.as_ref(), geometry.projection.as_ref()]
-            .into_iter()
-            .flatten()
+        for program in [
+            Some(&geometry.values),
+            geometry.third.as_ref(),
+            geometry.projection.as_ref(),
+        ]
+        .into_iter()
+        .flatten()
         {
             bits(&mut finding, geometry.name, program, seed);
         }
         geometry_derivatives(&mut finding, geometry, seed);
     }
     for law in laws(subjects) {
-        for program in [Some(&law.law), Some(&law.active), law.valid.as_ref()].into_iter().flatten() {
+        for program in [Some(&law.law), Some(&law.active), law.valid.as_ref()]
+            .into_iter()
+            .flatten()
+        {
             bits(&mut finding, law.name, program, seed);
         }
         law_derivatives(&mut finding, law, seed);
     }
     for subject in subjects {
         let programs = subject.description.programs;
-        for program in [Some(&programs.gap), programs.tangent.as_ref(), programs.measure.as_ref()]
-            .into_iter()
-            .flatten()
+        for program in [
+            Some(&programs.gap),
+            programs.tangent.as_ref(),
+            programs.measure.as_ref(),
+        ]
+        .into_iter()
+        .flatten()
         {
             bits(&mut finding, subject.name(), program, seed);
         }
@@ -84,7 +95,11 @@ pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
 /// Random inputs in (0.2, 0.8): inside every parameter domain, away from every singularity.
 fn inputs(program: &Program, seed: u64, index: u64) -> Vec<f64> {
     let mut stream = Stream::new(seed, index, 77);
-    program.inputs.iter().map(|_| stream.uniform(0.2, 0.8)).collect()
+    program
+        .inputs
+        .iter()
+        .map(|_| stream.uniform(0.2, 0.8))
+        .collect()
 }
 
 fn bits(finding: &mut Finding, owner: &str, program: &Program, seed: u64) {
@@ -114,7 +129,10 @@ fn derivative(program: &Program, inputs: &[f64], k: usize) -> Vec<f64> {
         .enumerate()
         .map(|(i, &value)| Dual64::new(value, if i == k { 1.0 } else { 0.0 }))
         .collect();
-    interpret(program, &duals, None).iter().map(|dual| dual.eps).collect()
+    interpret(program, &duals, None)
+        .iter()
+        .map(|dual| dual.eps)
+        .collect()
 }
 
 /// Number of outputs whose names begin with `prefix_`.
@@ -124,7 +142,11 @@ fn count(program: &Program, prefix: &str) -> usize {
             rest.starts_with('_') && rest[1..].starts_with(|c: char| c.is_ascii_digit())
         })
     };
-    program.outputs.iter().filter(|(name, _)| is_block(name)).count()
+    program
+        .outputs
+        .iter()
+        .filter(|(name, _)| is_block(name))
+        .count()
 }
 
 fn geometry_derivatives(finding: &mut Finding, geometry: &GeometryPrograms, seed: u64) {
@@ -137,7 +159,10 @@ fn geometry_derivatives(finding: &mut Finding, geometry: &GeometryPrograms, seed
     for index in 0..TRIES {
         let inputs = inputs(program, seed, index);
         let values = interpret(program, &inputs, None);
-        let third = geometry.third.as_ref().map(|third| interpret(third, &inputs, None));
+        let third = geometry
+            .third
+            .as_ref()
+            .map(|third| interpret(third, &inputs, None));
         let row = |order: usize, number: usize| -> &[f64] {
             let before = [0, 1, 1 + p][order];
             &values[(before + number) * width..(before + number + 1) * width]

@@ -68,11 +68,17 @@ fn exported(
     }
 }
 
+/// All functions of the C interface but those of Fortran 77.
 fn interface(prefix: &Ident) -> TokenStream {
+    let list = [questions(prefix), evaluations(prefix), messages(prefix)];
+    list.into_iter().collect()
+}
+
+/// What the elements are.
+fn questions(prefix: &Ident) -> TokenStream {
     let f = |name: &str, arguments: TokenStream, result: TokenStream, call: TokenStream| {
         exported(prefix, name, arguments, result, call)
     };
-    let table = table(prefix);
     let list = [
         f("abi_version", quote!(), quote!(u32), quote!(abi::VERSION)),
         f(
@@ -122,6 +128,16 @@ fn interface(prefix: &Ident) -> TokenStream {
                 element, parameters, count, index
             )),
         ),
+    ];
+    list.into_iter().collect()
+}
+
+/// Histories, one element, many.
+fn evaluations(prefix: &Ident) -> TokenStream {
+    let f = |name: &str, arguments: TokenStream, result: TokenStream, call: TokenStream| {
+        exported(prefix, name, arguments, result, call)
+    };
+    let list = [
         f(
             "element_history_init",
             quote!(element: *const abi::Descriptor, history: *mut f64),
@@ -162,6 +178,17 @@ fn interface(prefix: &Ident) -> TokenStream {
                 map
             )),
         ),
+    ];
+    list.into_iter().collect()
+}
+
+/// Texts for codes, and the table of all functions.
+fn messages(prefix: &Ident) -> TokenStream {
+    let f = |name: &str, arguments: TokenStream, result: TokenStream, call: TokenStream| {
+        exported(prefix, name, arguments, result, call)
+    };
+    let table = table(prefix);
+    let list = [
         f(
             "code_message",
             quote!(code: i32),

@@ -196,7 +196,7 @@ impl Graph {
         match (self.value(a), self.value(b)) {
             (Some(x), Some(y)) if y != 0.0 => return self.constant(x / y),
             (Some(0.0), _) => return self.constant(0.0),
-            (_, Some(y)) if y == 1.0 => return a,
+            (_, Some(1.0)) => return a,
             // a power of two has an exact reciprocal
             (_, Some(y)) if y != 0.0 && (1.0 / y) * y == 1.0 && is_power_of_two(y) => {
                 let reciprocal = self.constant(1.0 / y);
@@ -241,7 +241,7 @@ impl Graph {
         }
         let half = self.whole_power(a, exponent / 2);
         let square = self.multiply(half, half);
-        if exponent % 2 == 0 {
+        if exponent.is_multiple_of(2) {
             square
         } else {
             self.multiply(square, a)

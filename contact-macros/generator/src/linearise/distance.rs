@@ -3,7 +3,7 @@
 //! g = ±d − r0, δg = n·δr with n = ±∇d, D²g = ±δr·∇∇d·Δr. Gradient and Hessian of the declared
 //! function are the generator's.
 
-use super::normal::upper_index;
+use super::basis::upper_index;
 use crate::ir::{NodeId, Program, Scope, Vector, differentiate, lower};
 use crate::model::{Body, Geometry};
 

@@ -1,7 +1,7 @@
 //! Normal, signed distance and gap of a projected pair. [eq:2-normal] [eq:gap]
 
 use super::Kinematics;
-use super::normal::orthogonal;
+use super::basis::orthogonal;
 use crate::ir::{Program, Vector};
 
 /// r, b_i, orientation, r0 → n, L, g.

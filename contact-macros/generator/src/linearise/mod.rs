@@ -9,11 +9,16 @@
 //! | `geometry` | shape rows, rigid positions and their derivatives, closed projections | declared |
 //! | `gap` | normal, distance, gap | [eq:2-normal] [eq:gap] |
 //! | `normal` | coefficients of the tangent | [eq:12-main] [eq:13-curvature] … |
+//! | `basis` | orthogonal tangents | [eq:orthogonal-basis] |
 //! | `distance` | gap and tangent of a rigid distance function | [eq:distance] |
 //! | `law` | N, N', W of a normal law | [eq:law] |
 //! | `measure` | Jacobian of the slave and its variation | [eq:measure] |
 //! | `divisors` | what another program divides by | none |
 
+// [eq:…] names an equation of docs/, not an item; the documentation tests follow it
+#![allow(rustdoc::broken_intra_doc_links)]
+
+mod basis;
 pub mod distance;
 pub mod divisors;
 pub mod gap;

@@ -10,6 +10,7 @@
 //! s_A s_B, `right_j` s_A s_B,j (with n on the right), `left_j` s_A,j s_B (with n on the left) and
 //! `s` the product s_A,i s_B,j n⊗n.
 
+use super::basis::{Symmetric, contravariant, orthogonal, sheared, upper, upper_index};
 use super::{Kinematics, pair_index, second_derivatives};
 use crate::ir::{Graph, NodeId, Program, Vector};
 use crate::model::Linearisation;
@@ -22,22 +23,13 @@ struct Projection {
     b: Vec<Vector>,
     /// t = a_12/a_11; zero for one tangent.
     shear: NodeId,
-    /// Diagonal of the metric in that basis.
+    /// Diagonal of the metric in that basis. [eq:metric]
     metric: Vec<NodeId>,
     /// κ_ij = −n·r_,ij in that basis
     curvature: Symmetric,
     /// m = F⁻¹ (exact) or a⁻¹ (tangent plane) in that basis
     m: Symmetric,
     traction: NodeId,
-}
-
-/// A symmetric matrix of the projected parameters, entries 11, 12, 22.
-struct Symmetric(Vec<NodeId>);
-
-impl Symmetric {
-    fn at(&self, i: usize, j: usize) -> NodeId {
-        self.0[pair_index(i, j)]
-    }
 }
 
 /// n, L, b_i, r_,ij, N, N' → p, right, left, s.
@@ -96,11 +88,7 @@ fn inputs(program: &mut Program, kinematics: &Kinematics) -> (Projection, NodeId
     let curvature = sheared(graph, curvature, shear);
     let m = match kinematics.linearisation {
         Linearisation::Exact => {
-            let factor = program.term(
-                "F-curvature",
-                distance,
-                "no curvature along the projection",
-            );
+            let factor = program.term("F-curvature", distance, "no curvature along the projection");
             inverse_of_f(&mut program.graph, &metric, &curvature, factor)
         }
         Linearisation::TangentPlane => {
@@ -120,22 +108,6 @@ fn inputs(program: &mut Program, kinematics: &Kinematics) -> (Projection, NodeId
         traction,
     };
     (projection, slope)
-}
-
-/// b_1 and b_2 − t b_1 with t = a_12/a_11: a basis in which the metric is diagonal, so that nothing cancels
-/// where the declared parameters are skew or two curves nearly parallel. [eq:orthogonal-basis]
-pub(super) fn orthogonal(graph: &mut Graph, b: Vec<Vector>) -> (Vec<Vector>, NodeId) {
-    let [first, second] = b.as_slice() else {
-        let none = graph.constant(0.0);
-        return (b, none);
-    };
-    let square = first.dot(graph, first);
-    let mixed = first.dot(graph, second);
-    let shear = graph.divide(mixed, square);
-    let minus = graph.negate(shear);
-    let along = first.scale(graph, minus);
-    let second = second.add(graph, &along);
-    (vec![first.clone(), second], shear)
 }
 
 /// κ_ij = −n·r_,ij [eq:curvature]; entries that vanish identically stay zero.
@@ -158,21 +130,6 @@ fn curvature_tensor(
         })
         .collect();
     Symmetric(entries)
-}
-
-/// A symmetric covariant tensor in the orthogonal basis:
-/// κ_12 − t κ_11 and κ_22 − 2 t κ_12 + t² κ_11. [eq:orthogonal-basis]
-fn sheared(graph: &mut Graph, tensor: Symmetric, shear: NodeId) -> Symmetric {
-    let [k11, k12, k22] = tensor.0[..] else {
-        return tensor;
-    };
-    let back = graph.multiply(shear, k11);
-    let mixed = graph.subtract(k12, back);
-    // k22 − t (k12 + (k12 − t k11))
-    let sum = graph.add(k12, mixed);
-    let back = graph.multiply(shear, sum);
-    let last = graph.subtract(k22, back);
-    Symmetric(vec![k11, mixed, last])
 }
 
 /// m = F⁻¹ with F = a − Lκ [eq:F]; a is diagonal, so det F loses nothing to cancellation of a.
@@ -379,29 +336,4 @@ fn quadratic_rotation(
         }
     }
     result
-}
-
-/// Contravariant components in the declared basis from those in the orthogonal one:
-/// m^11 − t (m^12 + m^21) + t² m^22 and m^12 − t m^22. [eq:orthogonal-basis]
-fn contravariant(graph: &mut Graph, tensor: Symmetric, shear: NodeId) -> Symmetric {
-    let [m11, m12, m22] = tensor.0[..] else {
-        return tensor;
-    };
-    let back = graph.multiply(shear, m22);
-    let mixed = graph.subtract(m12, back);
-    let sum = graph.add(m12, mixed);
-    let back = graph.multiply(shear, sum);
-    let first = graph.subtract(m11, back);
-    Symmetric(vec![first, mixed, m22])
-}
-
-/// Index pairs k ≤ l of a symmetric matrix.
-fn upper(d: usize) -> impl Iterator<Item = (usize, usize)> {
-    (0..d).flat_map(move |k| (k..d).map(move |l| (k, l)))
-}
-
-/// Position of (k, l) in the order of [`upper`].
-pub(super) fn upper_index(d: usize, k: usize, l: usize) -> usize {
-    let (k, l) = (k.min(l), k.max(l));
-    k * d - k * (k + 1) / 2 + l
 }

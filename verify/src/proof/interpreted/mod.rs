@@ -3,14 +3,15 @@
 //! The tables give rows, kinematics, gap, law and coefficients; the library's level 2 contracts them. The
 //! projection is the one that the compiled element found.
 
+mod rows;
+
 use contact_elements::abi::OUTPUT_SIZE;
-use contact_elements::program::{GeometryPrograms, MasterDescription, Program, SlaveDescription};
-use contact_elements::runtime::{
-    Coefficients, Placement, Receiver, Report, Temporaries, contract,
-};
+use contact_elements::program::{MasterDescription, Program};
+use contact_elements::runtime::{Coefficients, Placement, Receiver, Report, Temporaries, contract};
 
 use crate::interpret::{Change, interpret};
 use crate::subject::{Answer, Input, Subject};
+use rows::{Point, fill};
 
 /// Program of an element that holds terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,15 +79,6 @@ struct Assembly<'a, const D: usize, const P: usize> {
     reference: Vec<[f64; D]>,
     placement: Placement<D>,
     result: Interpreted,
-}
-
-/// Rows and vectors of one point.
-struct Point<const D: usize, const P: usize> {
-    s: Vec<f64>,
-    ds: [Vec<f64>; P],
-    r: [f64; D],
-    b: [[f64; D]; P],
-    second: Vec<[f64; D]>,
 }
 
 impl<const D: usize, const P: usize> Receiver for Assembly<'_, D, P> {
@@ -166,123 +158,6 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             .map(|(_, change)| change)
     }
 
-    /// N_A and its derivatives from a geometry's table.
-    fn shape(&self, geometry: &GeometryPrograms, zeta: &[f64], weights: usize) -> Vec<f64> {
-        let mut inputs = zeta.to_vec();
-        inputs.extend_from_slice(self.parameters.get(weights..).unwrap_or(&[]));
-        interpret(&geometry.values, &inputs, None)
-    }
-
-    /// Fixed row of the slave and the slopes that its measure needs.
-    fn slave(&self, number: usize) -> (Vec<f64>, Vec<Vec<f64>>, f64) {
-        let layout = &self.subject.description.layout;
-        match &self.subject.description.slave {
-            SlaveDescription::Point => (vec![1.0], vec![], 1.0),
-            SlaveDescription::Projected(_) => (vec![], vec![], 1.0),
-            SlaveDescription::Interpolated => {
-                let (weight, row) = self.slave_row.split_last().expect("a row and a weight");
-                (row.to_vec(), vec![], *weight)
-            }
-            SlaveDescription::Given(geometry) => {
-                let p = parameter_count(geometry);
-                let at = &self.parameters[layout.point..];
-                let values = self.shape(geometry, &at[..p], layout.slave_weights);
-                (values[..width(geometry, p)].to_vec(), vec![], at[p])
-            }
-            SlaveDescription::Integrated(geometry, points) => {
-                let p = parameter_count(geometry);
-                let (eta, weight) = points[number];
-                let values = self.shape(geometry, &eta[..p], layout.slave_weights);
-                let n = width(geometry, p);
-                let slopes = (0..p).map(|i| values[n * (1 + i)..n * (2 + i)].to_vec());
-                (values[..n].to_vec(), slopes.collect(), weight)
-            }
-        }
-    }
-
-    /// Rows and vectors at ζ.
-    fn kinematics(&self, slave: &[f64], zeta: [f64; 2]) -> Point<D, P> {
-        let n = self.x.len();
-        let h = P * (P + 1) / 2;
-        let mut point = Point {
-            s: vec![0.0; n],
-            ds: std::array::from_fn(|_| vec![0.0; n]),
-            r: [0.0; D],
-            b: [[0.0; D]; P],
-            second: vec![[0.0; D]; h],
-        };
-        let mut bend: Vec<Vec<f64>> = vec![vec![0.0; n]; h];
-        point.s[..slave.len()].copy_from_slice(slave);
-        let layout = &self.subject.description.layout;
-        let two_curves = self.slave_curve(&mut point, &mut bend, zeta);
-        let own = if two_curves { &zeta[1..] } else { &zeta[..] };
-        let first = usize::from(two_curves);
-        match &self.subject.description.master {
-            MasterDescription::Point => point.s[n - 1] = -1.0,
-            MasterDescription::Distance(_) => {}
-            MasterDescription::Shape(geometry) => {
-                let p = P - first;
-                let values = self.shape(geometry, &own[..p], layout.master_weights);
-                let m = width(geometry, p);
-                let block = |row: usize| values[row * m..(row + 1) * m].iter().map(|v| -v);
-                fill(&mut point.s[n - m..], block(0));
-                for i in 0..p {
-                    fill(&mut point.ds[first + i][n - m..], block(1 + i));
-                }
-                for k in 0..p * (p + 1) / 2 {
-                    fill(&mut bend[if two_curves { 2 } else { k }][n - m..], block(1 + p + k));
-                }
-            }
-            MasterDescription::Rigid(geometry) => {
-                let p = P - first;
-                let values = self.shape(geometry, &own[..p], layout.geometry);
-                let block = |row: usize, k: usize| -values[row * D + k];
-                for k in 0..D {
-                    point.r[k] = block(0, k);
-                    for i in 0..p {
-                        point.b[first + i][k] = block(1 + i, k);
-                    }
-                    for j in 0..p * (p + 1) / 2 {
-                        point.second[if two_curves { 2 } else { j }][k] = block(1 + p + j, k);
-                    }
-                }
-            }
-        }
-        self.add_nodes(&mut point, &bend);
-        point
-    }
-
-    /// Rows of a slave curve whose parameter is projected too.
-    fn slave_curve(&self, point: &mut Point<D, P>, bend: &mut [Vec<f64>], zeta: [f64; 2]) -> bool {
-        let SlaveDescription::Projected(geometry) = &self.subject.description.slave else {
-            return false;
-        };
-        let values = self.shape(
-            geometry,
-            &zeta[..1],
-            self.subject.description.layout.slave_weights,
-        );
-        let m = width(geometry, 1);
-        point.s[..m].copy_from_slice(&values[..m]);
-        point.ds[0][..m].copy_from_slice(&values[m..2 * m]);
-        bend[0][..m].copy_from_slice(&values[2 * m..3 * m]);
-        true
-    }
-
-    fn add_nodes(&self, point: &mut Point<D, P>, bend: &[Vec<f64>]) {
-        for (a, x) in self.x.iter().enumerate() {
-            for k in 0..D {
-                point.r[k] += point.s[a] * x[k];
-                for i in 0..P {
-                    point.b[i][k] += point.ds[i][a] * x[k];
-                }
-                for (second, bend) in point.second.iter_mut().zip(bend) {
-                    second[k] += bend[a] * x[k];
-                }
-            }
-        }
-    }
-
     fn closed(&mut self, number: usize, zeta: [f64; 2]) {
         let (row, slopes, rule_weight) = self.slave(number);
         let point = self.kinematics(&row, zeta);
@@ -347,7 +222,10 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             return result;
         };
         let mut inputs;
-        if matches!(self.subject.description.master, MasterDescription::Distance(_)) {
+        if matches!(
+            self.subject.description.master,
+            MasterDescription::Distance(_)
+        ) {
             inputs = point.r.to_vec();
             inputs.extend(self.own_parameters());
             inputs.push(self.orientation());
@@ -364,8 +242,14 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
         fill(result.p.as_flattened_mut(), p.iter().copied());
         if !rest.is_empty() {
             fill(result.right.as_flattened_mut(), rest.iter().copied());
-            fill(result.left.as_flattened_mut(), rest[P * D..].iter().copied());
-            fill(result.s.as_flattened_mut(), rest[2 * P * D..].iter().copied());
+            fill(
+                result.left.as_flattened_mut(),
+                rest[P * D..].iter().copied(),
+            );
+            fill(
+                result.s.as_flattened_mut(),
+                rest[2 * P * D..].iter().copied(),
+            );
         }
         result.p = self.placement.tensor_to_global(&result.p);
         for vector in result.right.iter_mut().chain(&mut result.left) {
@@ -380,7 +264,11 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             return (rule_weight, vec![]);
         };
         let current = self.subject.description.current;
-        let x = if current { &self.global } else { &self.reference };
+        let x = if current {
+            &self.global
+        } else {
+            &self.reference
+        };
         let mut inputs = vec![0.0; slopes.len() * D];
         for (i, slopes) in slopes.iter().enumerate() {
             for (slope, x) in slopes.iter().zip(x) {
@@ -420,7 +308,11 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             std::array::from_fn(|j| &*point.ds[j]),
             n,
             coefficients,
-            if self.subject.description.current { variation } else { &[] },
+            if self.subject.description.current {
+                variation
+            } else {
+                &[]
+            },
             moving,
             false,
             &mut Temporaries {
@@ -432,21 +324,4 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             self,
         );
     }
-}
-
-fn fill(to: &mut [f64], from: impl Iterator<Item = f64>) {
-    for (to, from) in to.iter_mut().zip(from) {
-        *to = from;
-    }
-}
-
-/// Number of parameters of a geometry by shape functions: its inputs that are no weights.
-fn parameter_count(geometry: &GeometryPrograms) -> usize {
-    let is_weight = |name: &&&str| name.starts_with("weight_");
-    geometry.values.inputs.len() - geometry.values.inputs.iter().filter(is_weight).count()
-}
-
-/// Number of shape functions.
-fn width(geometry: &GeometryPrograms, p: usize) -> usize {
-    geometry.values.outputs.len() / (1 + p + p * (p + 1) / 2)
 }

@@ -21,7 +21,8 @@ contact_elements::contact_elements! {
     element FlatLineToDisc { dimension: 2; slave: Line2 at gauss(2); master: Circle2d placed; normal: Penalty; }
 }
 
-fn main() {
+#[test]
+fn all_are_there() {
     assert_eq!(ELEMENTS.len(), 16);
     assert_eq!(ELEMENTS[1].name, "PointToFacet\0");
 }

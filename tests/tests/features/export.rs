@@ -19,7 +19,8 @@ unsafe extern "C" {
     safe fn mill_element_count() -> i32;
 }
 
-fn main() {
+#[test]
+fn all_are_there() {
     assert_eq!((plant_element_count(), mill_element_count()), (1, 2));
     assert_eq!((plant::ELEMENTS.len(), mill::ELEMENTS.len()), (1, 2));
 }

@@ -53,6 +53,7 @@ contact_elements::contact_elements! {
     rigid distance Disc(x, y; radius: "length" in (0, inf)) { d = sqrt(x*x + y*y) - radius; }
 }
 
-fn main() {
+#[test]
+fn all_are_there() {
     assert_eq!(GEOMETRIES.len(), 16);
 }

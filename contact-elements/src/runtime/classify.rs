@@ -1,0 +1,179 @@
+//! First pass over a contact point: projection, gap, open or closed. It writes no output.
+
+use core::cell::Cell;
+
+use super::driver::Stage;
+use super::element::Element;
+use super::projection::project;
+use super::receiver::Call;
+use super::shape::{NormalLaw, Traction};
+use super::values::{Gap, Status, Vectors};
+use crate::arithmetic::abs;
+
+/// A point after the first pass.
+#[derive(Clone, Copy)]
+pub(super) struct Point<const D: usize, const P: usize, const H: usize> {
+    pub(super) status: Status,
+    pub(super) feature: u8,
+    pub(super) zeta: [f64; P],
+    pub(super) vectors: Vectors<D, P, H>,
+    pub(super) gap: Gap<D>,
+    /// Of a closed point.
+    pub(super) law: Traction,
+    pub(super) iterations: u32,
+}
+
+/// First pass: projection, gap, status.
+#[inline(always)]
+pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    call: &Call<'_>,
+    stage: &mut Stage<'_, D, P>,
+    number: usize,
+) -> Result<Point<D, P, H>, Status> {
+    load_slave::<E, D, P, H>(call, stage, number);
+    let history = call
+        .history
+        .and_then(|history| history.get(number * (1 + P)..));
+    let given = call.wanted.projection_given;
+    let projected = project::<E, D, P, H>(
+        stage.x,
+        start::<E, D, P, H>(history),
+        given,
+        call.parameters,
+        stage.scale,
+        &mut stage.rows,
+    )?;
+    let mut point = Point {
+        status: Status::Outside,
+        feature: projected.feature,
+        zeta: projected.zeta,
+        vectors: projected.vectors,
+        gap: Gap::default(),
+        law: Traction::default(),
+        iterations: projected.iterations,
+    };
+    if !E::SIGNED && is_zero(&point.vectors.r, stage.scale) {
+        return Err(Status::Degenerate);
+    }
+    if !E::is_regular(number, stage.x, &point.vectors, call.parameters) {
+        return Err(Status::Degenerate);
+    }
+    let orientation = orientation::<E, D, P, H>(call.parameters);
+    point.gap = E::gap(&point.vectors, call.parameters, orientation);
+    if !(is_finite(&point.gap.n) & is_finite(&[point.gap.gap])) {
+        return Err(Status::Degenerate);
+    }
+    if point.feature != 0 {
+        return Ok(point);
+    }
+    let gap = point.gap.gap;
+    let closed = match (call.wanted.freeze, history) {
+        (true, Some(history)) => history.first().map(Cell::get) == Some(1.0),
+        _ => E::Law::active(gap, call.parameters) > 0.0,
+    };
+    if closed {
+        point.status = Status::Closed;
+        point.law = law::<E, D, P, H>(gap, call.parameters)?;
+        if call.wanted.tangent && !has_derivatives(&point.vectors) {
+            return Err(Status::Degenerate);
+        }
+    } else {
+        point.status = Status::Open;
+    }
+    Ok(point)
+}
+
+/// Where the search begins: at the last projection, or at the centre.
+#[inline(always)]
+fn start<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    history: Option<&[Cell<f64>]>,
+) -> [f64; P] {
+    let mut start = E::centre();
+    if let Some(history) = history {
+        for (start, value) in start.iter_mut().zip(history.iter().skip(1)) {
+            *start = value.get();
+        }
+    }
+    start
+}
+
+/// N, N' and W of a closed point, where the law is defined and its values are numbers.
+#[inline(always)]
+fn law<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    gap: f64,
+    parameters: &[f64],
+) -> Result<Traction, Status> {
+    if E::Law::valid(gap, parameters) <= 0.0 {
+        return Err(Status::Law);
+    }
+    let law = E::Law::evaluate(gap, parameters);
+    if is_finite(&[law.traction, law.slope, law.energy]) {
+        Ok(law)
+    } else {
+        Err(Status::Law)
+    }
+}
+
+/// The tangents and second derivatives are numbers.
+#[inline(always)]
+fn has_derivatives<const D: usize, const P: usize, const H: usize>(
+    vectors: &Vectors<D, P, H>,
+) -> bool {
+    // no chain of the two: with its running pointer the vectors could not stay in registers
+    let mut finite = true;
+    for vector in &vectors.b {
+        finite &= is_finite(vector);
+    }
+    for vector in &vectors.second {
+        finite &= is_finite(vector);
+    }
+    finite
+}
+
+#[inline(always)]
+fn is_finite<const N: usize>(values: &[f64; N]) -> bool {
+    let mut finite = true;
+    for &value in values {
+        finite &= abs(value) <= f64::MAX;
+    }
+    finite
+}
+
+/// |r| is zero to rounding.
+#[inline(always)]
+fn is_zero<const D: usize>(r: &[f64; D], scale: f64) -> bool {
+    r.iter()
+        .all(|&component| abs(component) <= (8.0 * f64::EPSILON * scale).max(1e-30))
+}
+
+#[inline(always)]
+pub(super) fn orientation<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    parameters: &[f64],
+) -> f64 {
+    match E::LAYOUT.orientation.and_then(|at| parameters.get(at)) {
+        Some(&value) if value < 0.0 => -1.0,
+        _ => 1.0,
+    }
+}
+
+/// The slave's fixed row: of the declaration, or handed in.
+#[inline(always)]
+pub(super) fn load_slave<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    call: &Call<'_>,
+    stage: &mut Stage<'_, D, P>,
+    number: usize,
+) {
+    if E::SLAVE_NODES == 0 {
+        let slaves = call.slave_row.len().saturating_sub(1);
+        for (s, &value) in stage
+            .rows
+            .s
+            .iter_mut()
+            .zip(call.slave_row.iter().take(slaves))
+        {
+            *s = value;
+        }
+    } else {
+        E::slave(number, call.parameters, stage.rows.s);
+    }
+}

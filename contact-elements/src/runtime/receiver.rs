@@ -1,0 +1,85 @@
+//! What goes into an evaluation besides the nodes, and what comes out.
+
+use core::cell::Cell;
+
+use super::values::Status;
+
+/// Which outputs are wanted, and how.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wanted {
+    /// Residual.
+    pub residual: bool,
+    /// Tangent.
+    pub tangent: bool,
+    /// Open or closed as the history says.
+    pub freeze: bool,
+    /// The history holds the projection itself.
+    pub projection_given: bool,
+}
+
+/// Inputs of an evaluation besides the nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Call<'a> {
+    /// Parameters, checked.
+    pub parameters: &'a [f64],
+    /// Accepted history: per point status and projected parameters; none: start at the centre. Cells,
+    /// because the host may hand in one array for the old and the new history; all reads come first.
+    pub history: Option<&'a [Cell<f64>]>,
+    /// Interpolated slaves: shape row and weight.
+    pub slave_row: &'a [f64],
+    /// Wanted outputs.
+    pub wanted: Wanted,
+}
+
+/// What is known of one contact point after an evaluation.
+#[derive(Clone, Copy, Debug)]
+pub struct Report {
+    /// Outcome.
+    pub status: Status,
+    /// 0, or the feature beyond which the projection lies.
+    pub feature: u8,
+    /// Gap [length].
+    pub gap: f64,
+    /// Normal traction.
+    pub traction: f64,
+    /// Weight times Jacobian.
+    pub weight: f64,
+    /// Projected parameters.
+    pub zeta: [f64; 2],
+    /// Unit normal in the global frame; third entry 0 in 2D.
+    pub normal: [f64; 3],
+    /// Newton steps.
+    pub iterations: u32,
+}
+
+/// Takes the outputs of an evaluation: dense arrays, strided ones, a sparse matrix.
+pub trait Receiver {
+    /// All of residual and tangent is zero: no point is closed.
+    fn open(&mut self, unknowns: usize);
+    /// Entry (node, component) of the residual; `first`: replaces, else adds.
+    fn force(&mut self, place: (usize, usize), value: f64, first: bool);
+    /// Row `unknown` of the tangent; `first`: replaces, else adds.
+    fn row(&mut self, unknown: usize, row: &[f64], first: bool);
+    /// Outcome of point `point`.
+    fn report(&mut self, point: usize, report: &Report);
+    /// Contact energy of the element.
+    fn energy(&mut self, energy: f64);
+}
+
+/// Outcome of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Summary {
+    /// Status of its worst point.
+    pub status: Status,
+    /// Closed points.
+    pub closed: u32,
+}
+
+/// A point that could not be evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// Why.
+    pub status: Status,
+    /// Which point.
+    pub point: usize,
+}

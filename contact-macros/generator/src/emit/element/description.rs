@@ -1,0 +1,102 @@
+//! What does the verification know of the element?
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::expressions::{geometry_path, law_path};
+use super::facts::Facts;
+use crate::emit::parameters::rigid;
+use crate::emit::program::Emitted;
+use crate::model::{Gap, Linearisation, Master, Measure, Rule, Slave};
+
+impl Facts<'_> {
+    pub(super) fn tables(&self) -> TokenStream {
+        let name = &self.element.name;
+        let gap = self.gap.table();
+        let optional = |emitted: Option<&Emitted>| match emitted {
+            Some(emitted) => {
+                let table = emitted.table();
+                quote! { Some(#table) }
+            }
+            None => quote! { None },
+        };
+        let tangent = optional(self.tangent.as_ref());
+        let measure = optional(self.measure.as_ref());
+        let description = self.description();
+        quote! {
+            impl #name {
+                /// The programs of this element, for verification.
+                pub const PROGRAMS: ElementPrograms =
+                    ElementPrograms { gap: #gap, tangent: #tangent, measure: #measure };
+                /// What was declared, for verification.
+                pub const DESCRIPTION: ElementDescription = #description;
+            }
+        }
+    }
+
+    fn description(&self) -> TokenStream {
+        let text = self.element.name.to_string();
+        let slave = self.slave_description();
+        let master = match &self.element.master {
+            Master::Point => quote! { MasterDescription::Point },
+            Master::Shape(geometry) => {
+                let path = geometry_path(geometry);
+                quote! { MasterDescription::Shape(&#path::PROGRAMS) }
+            }
+            Master::Rigid { geometry, .. } => {
+                let path = geometry_path(geometry);
+                quote! { MasterDescription::Rigid(&#path::PROGRAMS) }
+            }
+            Master::Distance { geometry, .. } => {
+                let path = geometry_path(geometry);
+                quote! { MasterDescription::Distance(&#path::PROGRAMS) }
+            }
+        };
+        let law = law_path(&self.element.law);
+        let (_, placed) = rigid(self.element);
+        let signed = self.element.gap == Gap::Signed;
+        let tangent_plane = self.element.linearisation == Linearisation::TangentPlane;
+        let current = self.element.measure == Measure::Current;
+        let moving = self.kinematics.moving.iter().any(|&moving| moving);
+        let layout = self.parameters.layout();
+        let name = &self.element.name;
+        quote! {
+            ElementDescription {
+                name: #text,
+                descriptor: #name::DESCRIPTOR,
+                programs: &#name::PROGRAMS,
+                slave: #slave,
+                master: #master,
+                law: &#law::PROGRAMS,
+                placed: #placed,
+                signed: #signed,
+                tangent_plane: #tangent_plane,
+                current: #current,
+                moving: #moving,
+                layout: #layout,
+            }
+        }
+    }
+
+    fn slave_description(&self) -> TokenStream {
+        match &self.element.slave {
+            Slave::Point => quote! { SlaveDescription::Point },
+            Slave::Interpolated => quote! { SlaveDescription::Interpolated },
+            Slave::Projected(geometry) => {
+                let path = geometry_path(geometry);
+                quote! { SlaveDescription::Projected(&#path::PROGRAMS) }
+            }
+            Slave::Integrated { geometry, rule } => {
+                let path = geometry_path(geometry);
+                if *rule == Rule::Given {
+                    return quote! { SlaveDescription::Given(&#path::PROGRAMS) };
+                }
+                let points = self.points.iter().map(|(point, weight)| {
+                    let [first, second] = point;
+                    quote! { ([#first, #second], #weight) }
+                });
+                quote! { SlaveDescription::Integrated(&#path::PROGRAMS, &[#(#points),*]) }
+            }
+        }
+    }
+}

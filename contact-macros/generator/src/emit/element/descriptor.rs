@@ -1,0 +1,137 @@
+//! What does the C interface know of the element?
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::facts::Facts;
+use crate::emit::parameters::{master_shape, rigid, slave_shape};
+use crate::emit::program::Emitted;
+use crate::linearise::geometry;
+use crate::linearise::law::{bound_program, law_program};
+use crate::model::{Body, Measure, Slave};
+
+impl Facts<'_> {
+    pub(super) fn descriptor(&self) -> TokenStream {
+        let name = &self.element.name;
+        let (d, p, h) = self.sizes();
+        let q = self.points.len();
+        let (slave_nodes, master_nodes) = (self.slave_nodes, self.master_nodes);
+        let text = format!("{name}\0");
+        let documentation = format!("{}\0", self.element.docs.trim());
+        let parameters = self.parameters.list();
+        let symmetric = self.element.measure == Measure::Reference;
+        let has_tangent = self.tangent.is_some();
+        let operations = self.operations();
+        let formulation = self.formulation();
+        let interpolated = matches!(self.element.slave, Slave::Interpolated);
+        let kernel = self.kernel();
+        let flags = self.vector_flags();
+        quote! {
+            impl #name {
+                /// What the C interface knows of this element.
+                pub const DESCRIPTOR: &'static ::contact_elements::abi::Descriptor = {
+                    static DESCRIPTOR: ::contact_elements::abi::Descriptor =
+                        ::contact_elements::abi::Descriptor {
+                            name: #text,
+                            documentation: #documentation,
+                            dimension: #d,
+                            slave_nodes: #slave_nodes,
+                            master_nodes: #master_nodes,
+                            interpolated: #interpolated,
+                            points: #q,
+                            projected: #p,
+                            parameters: #parameters,
+                            symmetric: #symmetric,
+                            tangent: #has_tangent,
+                            energy: <<#name as runtime::Element<#d, #p, #h>>::Law
+                                as runtime::NormalLaw>::ENERGY,
+                            operations: #operations,
+                            formulation: #formulation,
+                            vectors: &[#(#flags),*],
+                            centre: <#name as runtime::Element<#d, #p, #h>>::START,
+                            kernel: #kernel,
+                        };
+                    &DESCRIPTOR
+                };
+            }
+        }
+    }
+
+    /// The kernel with all sizes of this element filled in.
+    fn kernel(&self) -> TokenStream {
+        let name = &self.element.name;
+        let (d, p, h) = self.sizes();
+        let q = self.points.len();
+        let n = self.slave_nodes + self.master_nodes;
+        let padded = (n * d).next_multiple_of(4);
+        let vectors = self.vector_flags();
+        let interpolated = matches!(self.element.slave, Slave::Interpolated);
+        if interpolated {
+            quote! {
+                |call, nodes, memory, target| {
+                    runtime::interpolated::<#name, _, #d, #p, #h>(
+                        call, nodes, &[#(#vectors),*], memory, target,
+                    )
+                }
+            }
+        } else {
+            quote! {
+                |call, nodes, memory, target| {
+                    runtime::fixed::<#name, _, #d, #p, #h, #n, #q, #padded>(
+                        call, nodes, &[#(#vectors),*], target,
+                    )
+                }
+            }
+        }
+    }
+
+    /// Operations of one evaluation of the point programs, the law included.
+    fn operations(&self) -> usize {
+        let law = Emitted::new(&law_program(&self.element.law), "");
+        self.emitted()
+            .chain([&law])
+            .map(|emitted| emitted.program.operations())
+            .sum()
+    }
+
+    /// FNV-1a hash of the programs' tables: changes when the emitted code means something else.
+    fn formulation(&self) -> u64 {
+        let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
+        let mut absorb = |text: &str| {
+            for byte in text.bytes() {
+                hash = (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+            }
+        };
+        for emitted in self.emitted() {
+            absorb(&emitted.table().to_string());
+        }
+        for geometry in [
+            slave_shape(self.element),
+            master_shape(self.element),
+            rigid(self.element).0,
+        ]
+        .into_iter()
+        .flatten()
+        {
+            let program = match &geometry.body {
+                Body::Shape { .. } => geometry::shape_program(geometry),
+                Body::Rigid { .. } => geometry::rigid_program(geometry),
+                Body::Distance { .. } => continue,
+            };
+            absorb(&Emitted::new(&program, "").table().to_string());
+        }
+        let law = &self.element.law;
+        absorb(&Emitted::new(&law_program(law), "").table().to_string());
+        let bounds = [Some(&law.active), law.valid.as_ref()];
+        for bound in bounds.into_iter().flatten() {
+            let program = bound_program(law, "bound", bound);
+            absorb(&Emitted::new(&program, "").table().to_string());
+        }
+        for domain in self.domains() {
+            absorb(&domain.to_string());
+        }
+        absorb(&format!("{:?} {:?}", self.points, self.vector_flags()));
+        absorb(&self.parameters.layout().to_string());
+        hash
+    }
+}

@@ -1,0 +1,92 @@
+//! How is the element evaluated? The constants of its trait implementation and the frame of the methods.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::expressions::law_path;
+use super::facts::Facts;
+use crate::emit::domain;
+use crate::model::{Body, Gap, Master, Measure, Slave};
+
+impl Facts<'_> {
+    pub(super) fn implementation(&self) -> TokenStream {
+        let name = &self.element.name;
+        let (d, p, h) = self.sizes();
+        let law = law_path(&self.element.law);
+        let layout = self.parameters.layout();
+        let search = self.search();
+        let moving = self.kinematics.moving.iter().any(|&moving| moving);
+        let signed = self.element.gap == Gap::Signed;
+        let current = self.element.measure == Measure::Current;
+        let (slave_nodes, master_nodes) = (self.slave_nodes, self.master_nodes);
+        let domains = self.domains();
+        let two_curves = self.projected_slave();
+        let curved = (0..3).map(|h| self.kinematics.curved.get(h).copied().unwrap_or(false));
+        let parallel = if two_curves {
+            quote! { runtime::Status::NotUnique }
+        } else {
+            quote! { runtime::Status::Degenerate }
+        };
+        let methods = [
+            self.slave_method(),
+            self.kinematics_method(),
+            self.projection_method(),
+            self.divisors_method(),
+            self.gap_method(),
+            self.tangent_method(),
+            self.measure_method(),
+        ];
+        quote! {
+            impl runtime::Element<#d, #p, #h> for #name {
+                type Law = #law;
+                const LAYOUT: runtime::Layout = #layout;
+                const SEARCH: runtime::Search = #search;
+                const MOVING: bool = #moving;
+                const CURVED: [bool; 3] = [#(#curved),*];
+                const SIGNED: bool = #signed;
+                const CURRENT: bool = #current;
+                const SLAVE_NODES: usize = #slave_nodes;
+                const MASTER_NODES: usize = #master_nodes;
+                const DOMAINS: [runtime::Domain; 2] = [#(#domains),*];
+                const TWO_CURVES: bool = #two_curves;
+                const PARALLEL: runtime::Status = #parallel;
+                #(#methods)*
+            }
+        }
+    }
+
+    fn search(&self) -> TokenStream {
+        let closed = match &self.element.master {
+            Master::Point | Master::Distance { .. } => true,
+            Master::Rigid { geometry, .. } => {
+                !self.projected_slave()
+                    && matches!(
+                        &geometry.body,
+                        Body::Rigid {
+                            projection: Some(_),
+                            ..
+                        }
+                    )
+            }
+            Master::Shape(_) => false,
+        };
+        if closed {
+            quote! { runtime::Search::Closed }
+        } else if self.kinematics.curved.iter().all(|&curved| !curved) {
+            quote! { runtime::Search::Affine }
+        } else {
+            quote! { runtime::Search::Newton }
+        }
+    }
+
+    pub(super) fn domains(&self) -> Vec<TokenStream> {
+        let master = match &self.element.master {
+            Master::Shape(geometry) | Master::Rigid { geometry, .. } => domain(&geometry.domain),
+            _ => quote! { runtime::Domain::Unbounded },
+        };
+        match &self.element.slave {
+            Slave::Projected(geometry) => vec![domain(&geometry.domain), master],
+            _ => vec![master, quote! { runtime::Domain::Unbounded }],
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! Elements as types: the programs of their closed forms, the trait implementation, the descriptor.
+//!
+//! | file | question |
+//! |---|---|
+//! | `facts` | what is known before anything is emitted |
+//! | `implementation` | how the element is evaluated: constants, search, domains |
+//! | `slave` | which shape row the slave has |
+//! | `kinematics` | where slave and master are |
+//! | `gap`, `tangent`, `measure` | gap, coefficients of the tangent, area of a point |
+//! | `descriptor` | what the C interface knows |
+//! | `description` | what the verification knows |
+
+mod description;
+mod descriptor;
+mod expressions;
+mod facts;
+mod gap;
+mod implementation;
+mod kinematics;
+mod measure;
+mod slave;
+mod tangent;
+#[cfg(test)]
+mod tests;
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::imports;
+use super::program::Emitted;
+use crate::model::Element;
+use facts::Facts;
+
+/// The type of an element with all that belongs to it.
+pub fn emit_element(element: &Element) -> TokenStream {
+    let facts = Facts::new(element);
+    let name = &element.name;
+    let docs = &element.docs;
+    let module = format_ident!("_element_{}", name.to_string().to_lowercase());
+    let functions: TokenStream = [
+        Some(&facts.gap),
+        facts.tangent.as_ref(),
+        facts.measure.as_ref(),
+    ]
+    .into_iter()
+    .flatten()
+    .map(Emitted::whole_function)
+    .collect();
+    let divisors = facts.divisors.functions();
+    let statics = facts.statics();
+    let implementation = facts.implementation();
+    let descriptor = facts.descriptor();
+    let tables = facts.tables();
+    let imports = imports();
+    quote! {
+        #[doc = #docs]
+        #[derive(Clone, Copy, Debug)]
+        pub struct #name;
+
+        #[allow(non_snake_case, unused_variables, clippy::approx_constant)]
+        mod #module {
+            use super::*;
+            #imports
+            #functions
+            #divisors
+            #statics
+            #implementation
+            #descriptor
+            #tables
+        }
+    }
+}

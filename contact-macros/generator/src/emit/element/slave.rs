@@ -1,0 +1,110 @@
+//! Which row of shape functions does the slave have at a contact point?
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::expressions::{is_rational, nodes, shape_call};
+use super::facts::Facts;
+use crate::ir::interpret;
+use crate::linearise::geometry;
+use crate::model::{Geometry, Rule, Slave};
+
+impl Facts<'_> {
+    /// Shape rows at the integration points, and their derivatives where a measure needs them.
+    pub(super) fn statics(&self) -> TokenStream {
+        let Slave::Integrated {
+            geometry,
+            rule: Rule::Gauss(_),
+        } = &self.element.slave
+        else {
+            return quote! {};
+        };
+        let program = geometry::shape_program(geometry);
+        let n = nodes(geometry);
+        let p = geometry.coordinates.len();
+        let q = self.points.len();
+        let coordinates = self.points.iter().map(|(point, _)| {
+            let point = &point[..p];
+            quote! { [#(#point),*] }
+        });
+        let weights = self.points.iter().map(|(_, weight)| weight);
+        let rows = if is_rational(geometry) {
+            quote! {}
+        } else {
+            let values: Vec<Vec<f64>> = self
+                .points
+                .iter()
+                .map(|(point, _)| interpret(&program, &point[..p]))
+                .collect();
+            let rows = values.iter().map(|values| {
+                let row = &values[..n];
+                quote! { [#(#row),*] }
+            });
+            let slopes = values.iter().map(|values| {
+                let rows = (0..p).map(|i| {
+                    let row = &values[n * (1 + i)..n * (2 + i)];
+                    quote! { [#(#row),*] }
+                });
+                quote! { [#(#rows),*] }
+            });
+            quote! {
+                static ROWS: [[f64; #n]; #q] = [#(#rows),*];
+                static SLOPES: [[[f64; #n]; #p]; #q] = [#(#slopes),*];
+            }
+        };
+        quote! {
+            #rows
+            static POINTS: [[f64; #p]; #q] = [#(#coordinates),*];
+            static WEIGHTS: [f64; #q] = [#(#weights),*];
+        }
+    }
+
+    pub(super) fn slave_method(&self) -> TokenStream {
+        let body = match &self.element.slave {
+            Slave::Point => quote! {
+                if let Some(s) = s.first_mut() {
+                    *s = 1.0;
+                }
+            },
+            Slave::Interpolated | Slave::Projected(_) => quote! {},
+            Slave::Integrated { geometry, rule } => {
+                let n = nodes(geometry);
+                let row = self.slave_rows(geometry, rule);
+                quote! {
+                    #row
+                    if let (Some(row), Some(s)) = (row, s.first_chunk_mut::<#n>()) {
+                        *s = row;
+                    }
+                }
+            }
+        };
+        quote! {
+            #[inline(always)]
+            fn slave(point: usize, parameters: &[f64], s: &mut [f64]) {
+                #body
+            }
+        }
+    }
+
+    /// `let row: Option<[f64; n]> = …;`
+    fn slave_rows(&self, geometry: &Geometry, rule: &Rule) -> TokenStream {
+        let shape = shape_call(geometry);
+        let weights = self.parameters.slave_weights();
+        let start = self.parameters.point();
+        let p = geometry.coordinates.len();
+        match rule {
+            Rule::Given => quote! {
+                let weights = parameters.get(#weights..).unwrap_or(&[]);
+                let row = parameters
+                    .get(#start..)
+                    .and_then(|eta| eta.first_chunk::<#p>())
+                    .map(|eta| #shape(eta, weights).n);
+            },
+            Rule::Gauss(_) if is_rational(geometry) => quote! {
+                let weights = parameters.get(#weights..).unwrap_or(&[]);
+                let row = POINTS.get(point).map(|eta| #shape(eta, weights).n);
+            },
+            Rule::Gauss(_) => quote! { let row = ROWS.get(point).copied(); },
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! What are the coefficients of the tangent?
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::expressions::{components, matrix};
+use super::facts::Facts;
+
+impl Facts<'_> {
+    pub(super) fn tangent_method(&self) -> TokenStream {
+        let (d, p, h) = self.sizes();
+        let body = if self.tangent.is_none() {
+            quote! { runtime::Coefficients::default() }
+        } else {
+            let mut inputs;
+            if self.is_distance() {
+                inputs = self.distance_inputs();
+                inputs.push(quote! { orientation });
+            } else {
+                inputs = (0..d).map(|k| quote! { gap.n[#k] }).collect();
+                inputs.push(quote! { gap.distance });
+                for i in 0..p {
+                    inputs.extend(components("b", Some(i), d));
+                }
+                for i in 0..h {
+                    inputs.extend(components("second", Some(i), d));
+                }
+            }
+            inputs.push(quote! { traction.traction });
+            inputs.push(quote! { traction.slope });
+            let position = matrix(0, d, d);
+            let right = matrix(d * d, p, d);
+            let left = matrix(d * d + p * d, p, d);
+            let rotation = matrix(d * d + 2 * p * d, p, p);
+            quote! {
+                let o = tangent(&[#(#inputs),*]);
+                runtime::Coefficients { p: #position, right: #right, left: #left, s: #rotation }
+            }
+        };
+        quote! {
+            #[inline(always)]
+            fn tangent(
+                vectors: &runtime::Vectors<#d, #p, #h>,
+                gap: &runtime::Gap<#d>,
+                traction: &runtime::Traction,
+                parameters: &[f64],
+                orientation: f64,
+            ) -> runtime::Coefficients<#d, #p> {
+                #body
+            }
+        }
+    }
+}

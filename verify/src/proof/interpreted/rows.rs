@@ -1,0 +1,155 @@
+//! Rows and vectors of one point of an interpreted element, from the tables of its geometries.
+
+use contact_elements::program::{GeometryPrograms, MasterDescription, SlaveDescription};
+
+use super::Assembly;
+use crate::interpret::interpret;
+
+/// Rows and vectors of one point.
+pub(super) struct Point<const D: usize, const P: usize> {
+    pub(super) s: Vec<f64>,
+    pub(super) ds: [Vec<f64>; P],
+    pub(super) r: [f64; D],
+    pub(super) b: [[f64; D]; P],
+    pub(super) second: Vec<[f64; D]>,
+}
+
+impl<const D: usize, const P: usize> Assembly<'_, D, P> {
+    /// N_A and its derivatives from a geometry's table.
+    fn shape(&self, geometry: &GeometryPrograms, zeta: &[f64], weights: usize) -> Vec<f64> {
+        let mut inputs = zeta.to_vec();
+        inputs.extend_from_slice(self.parameters.get(weights..).unwrap_or(&[]));
+        interpret(&geometry.values, &inputs, None)
+    }
+
+    /// Fixed row of the slave and the slopes that its measure needs.
+    pub(super) fn slave(&self, number: usize) -> (Vec<f64>, Vec<Vec<f64>>, f64) {
+        let layout = &self.subject.description.layout;
+        match &self.subject.description.slave {
+            SlaveDescription::Point => (vec![1.0], vec![], 1.0),
+            SlaveDescription::Projected(_) => (vec![], vec![], 1.0),
+            SlaveDescription::Interpolated => {
+                let (weight, row) = self.slave_row.split_last().expect("a row and a weight");
+                (row.to_vec(), vec![], *weight)
+            }
+            SlaveDescription::Given(geometry) => {
+                let p = parameter_count(geometry);
+                let at = &self.parameters[layout.point..];
+                let values = self.shape(geometry, &at[..p], layout.slave_weights);
+                (values[..width(geometry, p)].to_vec(), vec![], at[p])
+            }
+            SlaveDescription::Integrated(geometry, points) => {
+                let p = parameter_count(geometry);
+                let (eta, weight) = points[number];
+                let values = self.shape(geometry, &eta[..p], layout.slave_weights);
+                let n = width(geometry, p);
+                let slopes = (0..p).map(|i| values[n * (1 + i)..n * (2 + i)].to_vec());
+                (values[..n].to_vec(), slopes.collect(), weight)
+            }
+        }
+    }
+
+    /// Rows and vectors at ζ.
+    pub(super) fn kinematics(&self, slave: &[f64], zeta: [f64; 2]) -> Point<D, P> {
+        let n = self.x.len();
+        let h = P * (P + 1) / 2;
+        let mut point = Point {
+            s: vec![0.0; n],
+            ds: std::array::from_fn(|_| vec![0.0; n]),
+            r: [0.0; D],
+            b: [[0.0; D]; P],
+            second: vec![[0.0; D]; h],
+        };
+        let mut bend: Vec<Vec<f64>> = vec![vec![0.0; n]; h];
+        point.s[..slave.len()].copy_from_slice(slave);
+        let layout = &self.subject.description.layout;
+        let two_curves = self.slave_curve(&mut point, &mut bend, zeta);
+        let own = if two_curves { &zeta[1..] } else { &zeta[..] };
+        let first = usize::from(two_curves);
+        match &self.subject.description.master {
+            MasterDescription::Point => point.s[n - 1] = -1.0,
+            MasterDescription::Distance(_) => {}
+            MasterDescription::Shape(geometry) => {
+                let p = P - first;
+                let values = self.shape(geometry, &own[..p], layout.master_weights);
+                let m = width(geometry, p);
+                let block = |row: usize| values[row * m..(row + 1) * m].iter().map(|v| -v);
+                fill(&mut point.s[n - m..], block(0));
+                for i in 0..p {
+                    fill(&mut point.ds[first + i][n - m..], block(1 + i));
+                }
+                for k in 0..p * (p + 1) / 2 {
+                    fill(
+                        &mut bend[if two_curves { 2 } else { k }][n - m..],
+                        block(1 + p + k),
+                    );
+                }
+            }
+            MasterDescription::Rigid(geometry) => {
+                let p = P - first;
+                let values = self.shape(geometry, &own[..p], layout.geometry);
+                let block = |row: usize, k: usize| -values[row * D + k];
+                for k in 0..D {
+                    point.r[k] = block(0, k);
+                    for i in 0..p {
+                        point.b[first + i][k] = block(1 + i, k);
+                    }
+                    for j in 0..p * (p + 1) / 2 {
+                        point.second[if two_curves { 2 } else { j }][k] = block(1 + p + j, k);
+                    }
+                }
+            }
+        }
+        self.add_nodes(&mut point, &bend);
+        point
+    }
+
+    /// Rows of a slave curve whose parameter is projected too.
+    fn slave_curve(&self, point: &mut Point<D, P>, bend: &mut [Vec<f64>], zeta: [f64; 2]) -> bool {
+        let SlaveDescription::Projected(geometry) = &self.subject.description.slave else {
+            return false;
+        };
+        let values = self.shape(
+            geometry,
+            &zeta[..1],
+            self.subject.description.layout.slave_weights,
+        );
+        let m = width(geometry, 1);
+        point.s[..m].copy_from_slice(&values[..m]);
+        point.ds[0][..m].copy_from_slice(&values[m..2 * m]);
+        bend[0][..m].copy_from_slice(&values[2 * m..3 * m]);
+        true
+    }
+
+    fn add_nodes(&self, point: &mut Point<D, P>, bend: &[Vec<f64>]) {
+        for (a, x) in self.x.iter().enumerate() {
+            for k in 0..D {
+                point.r[k] += point.s[a] * x[k];
+                for i in 0..P {
+                    point.b[i][k] += point.ds[i][a] * x[k];
+                }
+                for (second, bend) in point.second.iter_mut().zip(bend) {
+                    second[k] += bend[a] * x[k];
+                }
+            }
+        }
+    }
+}
+
+/// Copies as far as both reach.
+pub(super) fn fill(to: &mut [f64], from: impl Iterator<Item = f64>) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = from;
+    }
+}
+
+/// Number of parameters of a geometry by shape functions: its inputs that are no weights.
+fn parameter_count(geometry: &GeometryPrograms) -> usize {
+    let is_weight = |name: &&&str| name.starts_with("weight_");
+    geometry.values.inputs.len() - geometry.values.inputs.iter().filter(is_weight).count()
+}
+
+/// Number of shape functions.
+fn width(geometry: &GeometryPrograms, p: usize) -> usize {
+    geometry.values.outputs.len() / (1 + p + p * (p + 1) / 2)
+}

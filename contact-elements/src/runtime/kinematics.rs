@@ -22,8 +22,10 @@ pub fn slave_point<const D: usize>(x: &[[f64; D]], s: &[f64], masters: usize) ->
 /// Master is one node.
 #[inline(always)]
 pub fn onto_point<const D: usize>(x: &[[f64; D]], rows: &mut Rows<'_, 0>) -> Vectors<D, 0, 0> {
-    let mut vectors = Vectors::default();
-    vectors.r = slave_point(x, rows.s, 1);
+    let mut vectors = Vectors {
+        r: slave_point(x, rows.s, 1),
+        ..Vectors::default()
+    };
     if let (Some(x), Some(s)) = (x.last(), rows.s.last_mut()) {
         *s = -1.0;
         for k in 0..D {
@@ -47,8 +49,10 @@ pub fn onto_shape<
     weights: &[f64],
     rows: &mut Rows<'_, P>,
 ) -> Vectors<D, P, H> {
-    let mut vectors = Vectors::default();
-    vectors.r = slave_point(x, rows.s, N);
+    let mut vectors = Vectors {
+        r: slave_point(x, rows.s, N),
+        ..Vectors::default()
+    };
     let shape = G::rows(zeta, weights);
     let (Some(x), Some(s)) = (x.last_chunk::<N>(), rows.s.last_chunk_mut::<N>()) else {
         return vectors;

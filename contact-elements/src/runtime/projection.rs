@@ -97,7 +97,10 @@ fn apart<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     copy(rows.s, &mut s);
     let mut copies = Rows {
         s: &mut s[..n],
-        ds: ds.each_mut().map(|row| &mut row[..n]),
+        // not row[..n]: a panicking path that the compiler does not see through
+        ds: ds
+            .each_mut()
+            .map(|row| row.get_mut(..n).unwrap_or_default()),
     };
     let found = constrained::<E, D, P, H>(&nodes[..n], start, parameters, scale, &mut copies);
     copy(&s, rows.s);

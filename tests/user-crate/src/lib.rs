@@ -4,16 +4,16 @@
 contact_elements::contact_elements! {
     export rail;
 
-    /// Tread of a wheel that turns about the y axis; u: angle [rad], v: along the axis [length].
+    /// Tread of a wheel that turns about the y axis; u: angle [rad], v: along the axis [radius].
     /// radius: at v = 0; conicity: loss of radius per length of the axis; hollow: wear, half the
-    /// curvature of the profile.
+    /// curvature of the profile times the radius.
     rigid surface WheelTread(u, v;
         radius: "length" in (0, inf),
         conicity: "1" in [-1, 1],
-        hollow: "1/length" in (-inf, inf)
+        hollow: "1" in (-inf, inf)
     ) {
-        let s = radius - conicity*v + hollow*v*v;
-        rho = [s*sin(u), v, s*cos(u)];
+        let s = radius*(1 - conicity*v + hollow*v*v);
+        rho = [s*sin(u), radius*v, s*cos(u)];
     }
 
     /// Head of a straight rail along x, its crown touching the plane z = 0 from below.
@@ -39,15 +39,15 @@ contact_elements::contact_elements! {
         ];
     }
 
-    /// Softened contact, active at g < c: with s = 1 - g/c, N = -p s (exp(s) - 1)/(e - 1), so that
+    /// Softened contact, active at g < c: with s = 1 - g/c, N = -p s^2 (s + 3) exp(s - 1)/4, so that
     /// N = -p at g = 0 and both N and its slope vanish at g = c. Defined down to g = -20 c.
     normal law Softened(g; p: "force" in (0, inf), c: "length" in (0, inf)) {
         let s = 1 - g/c;
-        let unit = p/(exp(1) - 1);
+        let unit = p*exp(s - 1)/4;
         active = g < c;
         valid = g > -20*c;
-        N = -unit*s*(exp(s) - 1);
-        W = unit*c*(s*exp(s) - exp(s) + 1 - s*s/2);
+        N = -unit*s*s*(s + 3);
+        W = unit*c*s*s*s;
     }
 
     /// Point against a serendipity facet, softened.

@@ -32,8 +32,8 @@ impl DeclaredSurface for WheelTread {
     }
     fn point<D: Number>(&self, [u, v]: [D; 2]) -> [D; 3] {
         let [radius, conicity, hollow] = self.0;
-        let s = v * v * hollow - v * conicity + radius;
-        [s * u.sin(), v, s * u.cos()]
+        let s = (v * v * hollow - v * conicity + 1.0) * radius;
+        [s * u.sin(), v * radius, s * u.cos()]
     }
 }
 
@@ -107,12 +107,12 @@ impl DeclaredLaw for Softened {
     fn force<D: DualNum<Primitive = f64> + Copy>(&self, g: D) -> D {
         let [p, c] = self.0;
         let s = -g / c + 1.0;
-        s * s.exp_m1() * (-p / 1f64.exp_m1())
+        s * s * (s + 3.0) * (s - 1.0).exp() * (-0.25 * p)
     }
     fn energy<D: DualNum<Primitive = f64> + Copy>(&self, g: D) -> Option<D> {
         let [p, c] = self.0;
         let s = -g / c + 1.0;
-        Some((s * s.exp() - s.exp_m1() - s * s * 0.5) * (p * c / 1f64.exp_m1()))
+        Some(s * s * s * (s - 1.0).exp() * (0.25 * p * c))
     }
 }
 

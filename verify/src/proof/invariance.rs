@@ -249,12 +249,12 @@ fn units(
     scaled.pair.r0 *= UNIT;
     scaled.pair.law = law_in_millimetres(&configuration.pair.law);
     let mut found = subject.parameters(&scaled.pair);
-    let lengths = length_parameters(subject);
-    for (value, is_length) in found.iter_mut().zip(lengths) {
-        if is_length {
-            *value *= UNIT;
-        }
+    for (value, power) in found.iter_mut().zip(length_powers(subject)) {
+        *value *= UNIT.powi(power);
     }
+    let factor = measure_factor(&configuration.pair);
+    let residual: Vec<f64> = answer.residual.iter().map(|v| v * factor).collect();
+    let tangent: Vec<f64> = answer.tangent.iter().map(|v| v * factor / UNIT).collect();
     let output = subject.call(
         &subject::Input {
             reference: &scaled.reference,
@@ -265,9 +265,6 @@ fn units(
         },
         subject::Wanted::BOTH,
     );
-    let factor = measure_factor(&configuration.pair);
-    let residual: Vec<f64> = answer.residual.iter().map(|v| v * factor).collect();
-    let tangent: Vec<f64> = answer.tangent.iter().map(|v| v * factor / UNIT).collect();
     let mut error = relative_error(&output.residual, &residual);
     if !tangent.is_empty() {
         error = error.max(relative_error(&output.tangent, &tangent));
@@ -276,14 +273,34 @@ fn units(
     result.finding.compare("change of units", error, UNITS);
 }
 
-/// Parameters of the rigid geometry and placement with the unit of a length.
-fn length_parameters(subject: &Subject) -> Vec<bool> {
-    let layout = &subject.description.layout;
-    let parameters = subject.description.descriptor.parameters;
-    let is_own = |index: usize| index >= layout.geometry;
-    (0..parameters.len())
-        .map(|index| is_own(index) && parameters[index].unit.trim_end_matches('\0') == "length")
+/// Powers of length in the units of the parameters that the pair does not scale: those of the rigid
+/// geometry, of the placement and of a declared law.
+fn length_powers(subject: &Subject) -> Vec<i32> {
+    let law = match subject.template.law {
+        Law::Declared(_) => subject.law_parameters.len(),
+        _ => 0,
+    };
+    let geometry = subject.description.layout.geometry;
+    let parameters = subject.description.descriptor.parameters.iter();
+    parameters
+        .enumerate()
+        .map(
+            |(index, parameter)| match index < law || index >= geometry {
+                true => length_power(parameter.unit.trim_end_matches('\0')),
+                false => 0,
+            },
+        )
         .collect()
+}
+
+/// Power of length in a unit like `force/length^2`; forces keep their unit.
+fn length_power(unit: &str) -> i32 {
+    let power = |factor: &str| match factor.split_once('^').unwrap_or((factor, "1")) {
+        ("length", power) => power.parse().unwrap_or(0),
+        _ => 0,
+    };
+    let mut parts = unit.split('/').map(power);
+    parts.next().unwrap_or(0) - parts.sum::<i32>()
 }
 
 /// The same law with forces in the same unit and lengths in millimetres.

@@ -28,6 +28,16 @@ pub(super) fn orthogonal(graph: &mut Graph, b: Vec<Vector>) -> (Vec<Vector>, Nod
     (vec![first.clone(), second], shear)
 }
 
+/// a_11 b_2 − a_12 b_1: the direction of b_2 − t b_1 without a division in the way of the normal.
+/// [eq:orthogonal-basis]
+pub(super) fn orthogonal_direction(graph: &mut Graph, first: &Vector, second: &Vector) -> Vector {
+    let square = first.dot(graph, first);
+    let mixed = first.dot(graph, second);
+    let minus = graph.negate(mixed);
+    let along = first.scale(graph, minus);
+    second.scale(graph, square).add(graph, &along)
+}
+
 /// A symmetric covariant tensor in the orthogonal basis:
 /// κ_12 − t κ_11 and κ_22 − 2 t κ_12 + t² κ_11. [eq:orthogonal-basis]
 pub(super) fn sheared(graph: &mut Graph, tensor: Symmetric, shear: NodeId) -> Symmetric {

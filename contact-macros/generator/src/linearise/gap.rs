@@ -1,12 +1,12 @@
 //! Normal, signed distance and gap of a projected pair. [eq:2-normal] [eq:gap]
 
 use super::Kinematics;
-use super::basis::orthogonal;
+use super::basis::orthogonal_direction;
 use crate::ir::{Program, Vector};
 
 /// r, b_i, orientation, r0 → n, L, g.
 ///
-/// Signed: n = ± b_1×b_2/|b_1×b_2|, taken of b_1 and b_2 − t b_1 so that n·b_1 vanishes to rounding even where
+/// Signed: n = ± b_1×b_2/|b_1×b_2|, taken of b_1 and a_11 b_2 − a_12 b_1 so that n·b_1 vanishes to rounding even where
 /// the tangents are nearly parallel [eq:orthogonal-basis]; in 2D ± (b_y, −b_x)/|b|, L = r·n. Distance: L = |r|, n = r/L.
 /// The caller has made sure that the divisor is not zero.
 pub fn gap_program(kinematics: &Kinematics) -> Program {
@@ -43,8 +43,8 @@ fn signed(
     let graph = &mut program.graph;
     let normal = match b {
         [first, second] => {
-            let (basis, _) = orthogonal(graph, vec![first.clone(), second.clone()]);
-            basis[0].cross(graph, &basis[1])
+            let across = orthogonal_direction(graph, first, second);
+            first.cross(graph, &across)
         }
         [only] => Vector(vec![only.0[1], graph.negate(only.0[0])]),
         _ => unreachable!("a signed gap has one tangent in 2D and two in 3D"),

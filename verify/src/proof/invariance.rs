@@ -252,9 +252,6 @@ fn units(
     for (value, power) in found.iter_mut().zip(length_powers(subject)) {
         *value *= UNIT.powi(power);
     }
-    let factor = measure_factor(&configuration.pair);
-    let residual: Vec<f64> = answer.residual.iter().map(|v| v * factor).collect();
-    let tangent: Vec<f64> = answer.tangent.iter().map(|v| v * factor / UNIT).collect();
     let output = subject.call(
         &subject::Input {
             reference: &scaled.reference,
@@ -265,6 +262,9 @@ fn units(
         },
         subject::Wanted::BOTH,
     );
+    let factor = measure_factor(&configuration.pair);
+    let residual: Vec<f64> = answer.residual.iter().map(|v| v * factor).collect();
+    let tangent: Vec<f64> = answer.tangent.iter().map(|v| v * factor / UNIT).collect();
     let mut error = relative_error(&output.residual, &residual);
     if !tangent.is_empty() {
         error = error.max(relative_error(&output.tangent, &tangent));

@@ -101,6 +101,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             }
         }
         self.add_nodes(&mut point, &bend);
+        self.add_excess(&mut point, slave);
         point
     }
 
@@ -119,6 +120,17 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         point.ds[0][..m].copy_from_slice(&values[m..2 * m]);
         bend[0][..m].copy_from_slice(&values[2 * m..3 * m]);
         true
+    }
+
+    /// Nodes stand relative to a placed geometry's origin; a row that does not sum to one owes it the rest.
+    fn add_excess(&self, point: &mut Point<D, P>, slave: &[f64]) {
+        if self.subject.description.placed && !slave.is_empty() {
+            let excess = slave.iter().sum::<f64>() - 1.0;
+            let origin = self.placement.vector_to_local(&self.placement.origin);
+            for (r, origin) in point.r.iter_mut().zip(origin) {
+                *r += excess * origin;
+            }
+        }
     }
 
     fn add_nodes(&self, point: &mut Point<D, P>, bend: &[Vec<f64>]) {

@@ -40,7 +40,7 @@ pub fn emit_law(law: &Law) -> TokenStream {
         #[derive(Clone, Copy, Debug)]
         pub struct #name;
 
-        #[allow(non_snake_case, clippy::approx_constant, clippy::possible_missing_comma)]
+        #[allow(non_snake_case, clippy::all)]
         mod #module {
             use super::#name;
             #imports

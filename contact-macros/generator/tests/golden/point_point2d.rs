@@ -1,7 +1,7 @@
 ///Two points in the plane.
 #[derive(Clone, Copy, Debug)]
 pub struct PointPoint2d;
-#[allow(non_snake_case, unused_variables, clippy::approx_constant)]
+#[allow(non_snake_case, unused_variables, clippy::all)]
 mod _element_pointpoint2d {
     use super::*;
     #[allow(unused_imports)]

@@ -57,7 +57,7 @@ pub fn emit_element(element: &Element) -> TokenStream {
         #[derive(Clone, Copy, Debug)]
         pub struct #name;
 
-        #[allow(non_snake_case, unused_variables, clippy::approx_constant, clippy::possible_missing_comma)]
+        #[allow(non_snake_case, unused_variables, clippy::all)]
         mod #module {
             use super::*;
             #imports

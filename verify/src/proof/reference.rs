@@ -68,7 +68,7 @@ struct Expected {
 pub struct Values {
     /// Projected parameters.
     pub zeta: Vec<f64>,
-    /// Gap [length].
+    /// Gap (length).
     pub gap: f64,
     /// R
     pub residual: Vec<f64>,

@@ -61,7 +61,10 @@ impl Library {
             .arg(format!("contact_elements={}", elements.display()))
             .arg("--extern")
             .arg(format!("contact_macros={}", macros.display()))
-            .arg(workspace("contact-elements/capi/src/lib.rs"))
+            .arg("-Clink-arg=-Wl,-soname,libcontact_elements.so.1")
+            // Relative, so that no folder of this machine stands in the baseline.
+            .current_dir(workspace(""))
+            .arg("contact-elements/capi/src/lib.rs")
             .arg("-o")
             .arg(library.shared());
         succeed(&mut rustc);

@@ -25,6 +25,7 @@ const SMALL_STEP: f64 = 1e-9;
 pub(super) fn constrained<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     x: &[[f64; D]],
     start: [f64; P],
+    extent: &[f64; P],
     parameters: &[f64],
     scale: f64,
     rows: &mut Rows<'_, P>,
@@ -32,15 +33,22 @@ pub(super) fn constrained<E: Element<D, P, H>, const D: usize, const P: usize, c
     let mut zeta = inside::<E, D, P, H>(start);
     let mut vectors = E::kinematics(x, &zeta, parameters, rows);
     for iteration in 1..=MOST_STEPS {
-        let held = held::<E, D, P, H>(&zeta, &vectors);
+        let held = held::<E, D, P, H>(&zeta, &vectors, extent);
         let change = descent::<E, D, P, H>(&vectors, &held, scale);
-        let taken = search::<E, D, P, H>(x, &mut zeta, &mut vectors, change, parameters, rows);
+        let taken = search::<E, D, P, H>(
+            x,
+            &mut zeta,
+            &mut vectors,
+            (change, extent),
+            parameters,
+            rows,
+        );
         if taken > SMALL_STEP {
             continue;
         }
-        let held = self::held::<E, D, P, H>(&zeta, &vectors);
+        let held = self::held::<E, D, P, H>(&zeta, &vectors, extent);
         if held.count > 0 {
-            let feature = beyond::<E, D, P, H>(&zeta, &held);
+            let feature = beyond::<E, D, P, H>(&zeta, &held, extent);
             return Ok(Projected {
                 zeta,
                 vectors,
@@ -48,7 +56,7 @@ pub(super) fn constrained<E: Element<D, P, H>, const D: usize, const P: usize, c
                 feature,
             });
         }
-        return polish::<E, D, P, H>(x, zeta, parameters, (scale, iteration), rows);
+        return polish::<E, D, P, H>(x, (zeta, extent), parameters, (scale, iteration), rows);
     }
     Err(Status::NotConverged)
 }
@@ -56,7 +64,7 @@ pub(super) fn constrained<E: Element<D, P, H>, const D: usize, const P: usize, c
 /// Free Newton steps at an interior minimum, down to rounding.
 fn polish<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     x: &[[f64; D]],
-    mut zeta: [f64; P],
+    (mut zeta, extent): ([f64; P], &[f64; P]),
     parameters: &[f64],
     (scale, iterations): (f64, u32),
     rows: &mut Rows<'_, P>,
@@ -65,8 +73,7 @@ fn polish<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     for _ in 0..3 {
         let change = step::<E, D, P, H>(&vectors, scale)?.change;
         for i in 0..P {
-            let extent = E::extent(i);
-            zeta[i] += change[i].clamp(-extent, extent);
+            zeta[i] += change[i].clamp(-extent[i], extent[i]);
         }
         vectors = E::kinematics(x, &zeta, parameters, rows);
     }
@@ -136,6 +143,7 @@ fn inside<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
 fn held<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     zeta: &[f64; P],
     vectors: &Vectors<D, P, H>,
+    extent: &[f64; P],
 ) -> Held<P> {
     let mut held = Held {
         count: 0,
@@ -158,7 +166,7 @@ fn held<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     };
     for i in 0..P {
         let (lower, upper) = bounds::<E, D, P, H>(i);
-        let slack = ON_BOUND * E::extent(i);
+        let slack = ON_BOUND * extent[i];
         let slope = f[i] - mean;
         if zeta[i] <= lower + slack && slope > 0.0 {
             held.side[i] = -1.0;
@@ -246,7 +254,7 @@ fn search<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     x: &[[f64; D]],
     zeta: &mut [f64; P],
     vectors: &mut Vectors<D, P, H>,
-    change: [f64; P],
+    (change, extent): ([f64; P], &[f64; P]),
     parameters: &[f64],
     rows: &mut Rows<'_, P>,
 ) -> f64 {
@@ -255,15 +263,14 @@ fn search<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     for _ in 0..MOST_HALVINGS {
         let mut trial = *zeta;
         for i in 0..P {
-            let extent = E::extent(i);
-            trial[i] += (factor * change[i]).clamp(-extent, extent);
+            trial[i] += (factor * change[i]).clamp(-extent[i], extent[i]);
         }
         let trial = inside::<E, D, P, H>(trial);
         let candidate = E::kinematics(x, &trial, parameters, rows);
         if dot(&candidate.r, &candidate.r) < before {
             let mut size: f64 = 0.0;
             for i in 0..P {
-                size = size.max(abs(trial[i] - zeta[i]) / E::extent(i));
+                size = size.max(abs(trial[i] - zeta[i]) / extent[i]);
             }
             (*zeta, *vectors) = (trial, candidate);
             return size;
@@ -278,11 +285,12 @@ fn search<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
 fn beyond<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     zeta: &[f64; P],
     held: &Held<P>,
+    extent: &[f64; P],
 ) -> u8 {
     let mut outside = *zeta;
     for i in 0..P {
         let outward = if held.diagonal { 1.0 } else { 0.0 } + held.side[i];
-        outside[i] += 1e-6 * E::extent(i) * outward;
+        outside[i] += 1e-6 * extent[i] * outward;
     }
     E::feature(&outside)
 }

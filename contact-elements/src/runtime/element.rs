@@ -87,7 +87,7 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     /// True where ζ = (slave curve, master curve).
     const TWO_CURVES: bool;
 
-    /// Extent by which steps in parameter i are measured.
+    /// Extent of parameter i's domain; infinite where an end is missing.
     #[inline(always)]
     fn extent(i: usize) -> f64 {
         if Self::TWO_CURVES {

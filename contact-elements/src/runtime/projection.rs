@@ -8,7 +8,7 @@
 use super::constrained::constrained;
 use super::element::{Element, Search};
 use super::values::{Rows, Status, Vectors, dot};
-use crate::arithmetic::abs;
+use crate::arithmetic::{abs, sqrt};
 
 /// A converged projection.
 #[derive(Clone, Copy, Debug)]
@@ -48,8 +48,9 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
     }
     let mut iterations = 0;
     let mut is_free = true;
+    let mut extent = core::array::from_fn(E::extent);
     if P > 0 && !given && !matches!(E::SEARCH, Search::Closed) {
-        match newton::<E, D, P, H>(x, parameters, scale, rows, &mut zeta) {
+        match newton::<E, D, P, H>(x, parameters, scale, rows, &mut zeta, &mut extent) {
             Ok(steps) => iterations = steps,
             Err(Status::Degenerate) => return Err(Status::Degenerate),
             // beyond an edge the free stationary point need not exist
@@ -65,7 +66,7 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
         }
     }
     if !is_free {
-        return apart::<E, D, P, H>(x, start, parameters, scale, rows);
+        return apart::<E, D, P, H>(x, start, &extent, parameters, scale, rows);
     }
     Ok(Projected {
         zeta,
@@ -81,6 +82,7 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
 fn apart<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     x: &[[f64; D]],
     start: [f64; P],
+    extent: &[f64; P],
     parameters: &[f64],
     scale: f64,
     rows: &mut Rows<'_, P>,
@@ -88,7 +90,7 @@ fn apart<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     const ROOM: usize = 32;
     let n = x.len();
     if n > ROOM {
-        return constrained::<E, D, P, H>(x, start, parameters, scale, rows);
+        return constrained::<E, D, P, H>(x, start, extent, parameters, scale, rows);
     }
     let mut nodes = [[0.0; D]; ROOM];
     let mut s = [0.0; ROOM];
@@ -102,7 +104,8 @@ fn apart<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
             .each_mut()
             .map(|row| row.get_mut(..n).unwrap_or_default()),
     };
-    let found = constrained::<E, D, P, H>(&nodes[..n], start, parameters, scale, &mut copies);
+    let found =
+        constrained::<E, D, P, H>(&nodes[..n], start, extent, parameters, scale, &mut copies);
     copy(&s, rows.s);
     for i in 0..P {
         copy(&ds[i], rows.ds[i]);
@@ -125,6 +128,7 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     scale: f64,
     rows: &mut Rows<'_, P>,
     zeta: &mut [f64; P],
+    extent: &mut [f64; P],
 ) -> Result<u32, Status> {
     let bilinear = P == 2 && matches!(E::CURVED, [false, true, false]);
     let centre = E::centre();
@@ -139,16 +143,18 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         } else {
             E::kinematics(x, zeta, parameters, rows)
         };
+        if iteration == 1 {
+            measure_endless(&vectors, scale, extent);
+        }
         let Step {
             mut change,
             at_rounding_level,
         } = step::<E, D, P, H>(&vectors, scale)?;
         let mut size: f64 = 0.0;
         for i in 0..P {
-            let extent = E::extent(i);
-            change[i] = change[i].clamp(-extent, extent);
+            change[i] = change[i].clamp(-extent[i], extent[i]);
             zeta[i] += change[i];
-            let relative = abs(change[i]) / extent;
+            let relative = abs(change[i]) / extent[i];
             size = if relative > size { relative } else { size };
         }
         // the steps no longer shrink because f is rounding noise
@@ -156,12 +162,38 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         if stagnates || finished(E::SEARCH, iteration, size, previous) {
             return Ok(iteration);
         }
-        if abs(zeta[0]) > 1e6 * E::extent(0) || abs(zeta[P - 1]) > 1e6 * E::extent(P - 1) {
+        if abs(zeta[0]) > 1e6 * extent[0] || abs(zeta[P - 1]) > 1e6 * extent[P - 1] {
             break;
         }
         previous = size;
     }
     Err(Status::NotConverged)
+}
+
+/// Replaces infinite extents by what the start tells, whatever unit the parameter has: the step over which
+/// b_i turns by about its own length (one radian of a circle), at most the reach of the coordinates.
+/// [eq:extent]
+#[inline(always)]
+fn measure_endless<const D: usize, const P: usize, const H: usize>(
+    vectors: &Vectors<D, P, H>,
+    scale: f64,
+    extent: &mut [f64; P],
+) {
+    for i in 0..P {
+        if extent[i] > f64::MAX {
+            let second = &vectors.second[2 * i];
+            let length = sqrt(dot(&vectors.b[i], &vectors.b[i]));
+            let turn = sqrt(dot(second, second));
+            let reach = scale + sqrt(dot(&vectors.r, &vectors.r));
+            extent[i] = if length < SMALLEST || reach < SMALLEST {
+                1.0
+            } else if turn * reach > length * length {
+                length / turn
+            } else {
+                reach / length
+            };
+        }
+    }
 }
 
 /// r, b_i and r_,12 at ζ from those at another point, where r_,11 and r_,22 vanish identically: r is bilinear

@@ -1,6 +1,7 @@
 //! What a declaration becomes: traits that the macro implements.
 
 use super::values::ShapeRows;
+use crate::arithmetic::abs;
 
 /// Parameter domain of a geometry.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,15 +30,15 @@ impl Domain {
         }
     }
 
-    /// Extent by which steps in parameter i are measured; 1 where there is no end.
+    /// Extent by which steps in parameter i are measured; infinite where an end is missing.
     #[inline(always)]
     pub const fn extent(&self, i: usize) -> f64 {
-        let extent = match *self {
+        match *self {
             Domain::Interval(lower, upper) => upper - lower,
             Domain::Rectangle(lower, upper) => upper[i] - lower[i],
-            Domain::Unbounded | Domain::Triangle => 1.0,
-        };
-        if extent < f64::MAX { extent } else { 1.0 }
+            Domain::Triangle => 1.0,
+            Domain::Unbounded => f64::INFINITY,
+        }
     }
 
     /// 0 inside; 1 + edge (0 … 3) or 5 + vertex (0 … 3) outside. A point within `slack` of the
@@ -47,32 +48,36 @@ impl Domain {
         match *self {
             Domain::Unbounded => 0,
             Domain::Interval(lower, upper) => {
-                let slack = slack * self.extent(0);
-                if zeta[0] < lower - slack {
-                    5
-                } else if zeta[0] > upper + slack {
-                    6
-                } else {
-                    0
-                }
+                const FEATURE: [u8; 3] = [0, 5, 6];
+                FEATURE[side(zeta[0], lower, upper, slack)]
             }
             Domain::Rectangle(lower, upper) => {
-                let side = |i: usize| {
-                    let slack = slack * self.extent(i);
-                    if zeta[i] < lower[i] - slack {
-                        1
-                    } else if zeta[i] > upper[i] + slack {
-                        2
-                    } else {
-                        0
-                    }
-                };
+                let side = |i: usize| side(zeta[i], lower[i], upper[i], slack);
                 // edges: 0 η low, 1 ξ high, 2 η high, 3 ξ low; vertices counter-clockwise from (low, low)
                 const FEATURE: [[u8; 3]; 3] = [[0, 1, 3], [4, 5, 8], [2, 6, 7]];
                 FEATURE[side(0)][side(1)]
             }
             Domain::Triangle => triangle_feature(zeta, slack),
         }
+    }
+}
+
+/// 0 within the bounds, 1 below, 2 above; slack relative to the extent, or to the one bound that is finite.
+#[inline(always)]
+fn side(zeta: f64, lower: f64, upper: f64, slack: f64) -> usize {
+    let slack = slack
+        * match (lower > -f64::MAX, upper < f64::MAX) {
+            (true, true) => upper - lower,
+            (true, false) => abs(lower),
+            (false, true) => abs(upper),
+            (false, false) => 0.0,
+        };
+    if zeta < lower - slack {
+        1
+    } else if zeta > upper + slack {
+        2
+    } else {
+        0
     }
 }
 

@@ -4,16 +4,16 @@
 contact_elements::contact_elements! {
     export rail;
 
-    /// Tread of a wheel that turns about the y axis; u: angle [rad], v: along the axis [radius].
+    /// Tread of a wheel that turns about the y axis; u: angle [rad], v: along the axis [length].
     /// radius: at v = 0; conicity: loss of radius per length of the axis; hollow: wear, half the
-    /// curvature of the profile times the radius.
+    /// curvature of the profile.
     rigid surface WheelTread(u, v;
         radius: "length" in (0, inf),
         conicity: "1" in [-1, 1],
-        hollow: "1" in (-inf, inf)
+        hollow: "1/length" in (-inf, inf)
     ) {
-        let s = radius*(1 - conicity*v + hollow*v*v);
-        rho = [s*sin(u), radius*v, s*cos(u)];
+        let s = radius - conicity*v + hollow*v*v;
+        rho = [s*sin(u), v, s*cos(u)];
     }
 
     /// Head of a straight rail along x, its crown touching the plane z = 0 from below.

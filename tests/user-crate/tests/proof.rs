@@ -32,8 +32,8 @@ impl DeclaredSurface for WheelTread {
     }
     fn point<D: Number>(&self, [u, v]: [D; 2]) -> [D; 3] {
         let [radius, conicity, hollow] = self.0;
-        let s = (v * v * hollow - v * conicity + 1.0) * radius;
-        [s * u.sin(), v * radius, s * u.cos()]
+        let s = v * v * hollow - v * conicity + radius;
+        [s * u.sin(), v, s * u.cos()]
     }
 }
 

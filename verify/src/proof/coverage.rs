@@ -79,14 +79,15 @@ fn passed_barrier(finding: &mut Finding, subjects: &[Subject], seen: &mut Seen) 
     }
 }
 
-/// A start a thousand turns along a slender helix: too far for the projection, which must say so.
+/// A start a thousand turns along a close-wound helix, a radian per step: too far for the projection, which
+/// must say so.
 fn far_start(finding: &mut Finding, subjects: &[Subject], seen: &mut Seen) {
     let Some(subject) = subjects.iter().find(|s| s.name() == "PointHelix") else {
         finding.fail("PointHelix is not among the elements".to_string());
         return;
     };
     // eps_n, r0, radius, rise, placement
-    let parameters = [1000.0, 0.5, 0.01, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let parameters = [1000.0, 0.5, 1.0, 0.01, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
     let answer = subject.call(
         &Input {
             reference: &[0.3, 0.0, 0.2],

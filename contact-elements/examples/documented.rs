@@ -1,7 +1,6 @@
 //! The Rust code of the documentation, word for word: `tests/tests/doc_links.rs` compares it with `docs/`.
 //!
 //! Run: `cargo run --release -p contact-elements --example documented`
-#![allow(dead_code)]
 
 /// `README.md`
 mod readme {

@@ -28,7 +28,8 @@ module contact_elements
   integer(i4), parameter :: CTE_ERROR_NULL = -1, CTE_ERROR_STRUCT_SIZE = -2, CTE_ERROR_NODE_COUNT = -3
   integer(i4), parameter :: CTE_ERROR_PARAMETER = -4, CTE_ERROR_REQUEST = -5, CTE_ERROR_WORKSPACE = -6
   integer(i4), parameter :: CTE_ERROR_NOT_FINITE = -7, CTE_ERROR_INDEX = -8, CTE_ERROR_NAME = -9
-  integer(i4), parameter :: CTE_ERROR_VERSION = -10, CTE_ERROR_STRIDE = -11
+  integer(i4), parameter :: CTE_ERROR_VERSION = -10, CTE_ERROR_STRIDE = -11, CTE_ERROR_HISTORY = -12
+  integer(i4), parameter :: CTE_ERROR_ELEMENT = -13
 
   ! Arguments named by errors
   integer(i4), parameter :: CTE_ARGUMENT_NONE = 0, CTE_ARGUMENT_STRUCT_SIZE = 1, CTE_ARGUMENT_REQUEST = 2
@@ -40,6 +41,9 @@ module contact_elements
   integer(i4), parameter :: CTE_ARGUMENT_WORKSPACE = 18, CTE_ARGUMENT_ELEMENT = 19, CTE_ARGUMENT_INFO = 20
   integer(i4), parameter :: CTE_ARGUMENT_ELEMENT_NAME = 21, CTE_ARGUMENT_BATCH = 22
   integer(i4), parameter :: CTE_ARGUMENT_CONNECTIVITY = 23, CTE_ARGUMENT_CSR = 24, CTE_ARGUMENT_STATUS = 25
+  integer(i4), parameter :: CTE_ARGUMENT_FROM = 26, CTE_ARGUMENT_FROM_OUTPUT = 27
+  integer(i4), parameter :: CTE_ARGUMENT_FROM_HISTORY = 28, CTE_ARGUMENT_TO = 29
+  integer(i4), parameter :: CTE_ARGUMENT_TO_OUTPUT = 30, CTE_ARGUMENT_TO_HISTORY = 31
 
   ! Request bits
   integer(i4), parameter :: CTE_RESIDUAL = 1, CTE_TANGENT = 2, CTE_HISTORY = 4, CTE_OUTPUT = 8
@@ -47,7 +51,8 @@ module contact_elements
   integer(i4), parameter :: CTE_PROJECTION_GIVEN = 128
 
   ! Status of a contact point
-  integer(i4), parameter :: CTE_STATUS_OPEN = 0, CTE_STATUS_CLOSED = 1, CTE_STATUS_OUTSIDE = 4
+  integer(i4), parameter :: CTE_STATUS_OPEN = 0, CTE_STATUS_CLOSED = 1, CTE_STATUS_STICK = 2
+  integer(i4), parameter :: CTE_STATUS_SLIP = 3, CTE_STATUS_OUTSIDE = 4
   integer(i4), parameter :: CTE_STATUS_NOT_CONVERGED = 5, CTE_STATUS_NOT_UNIQUE = 6
   integer(i4), parameter :: CTE_STATUS_DEGENERATE = 7, CTE_STATUS_LAW = 8
 
@@ -58,7 +63,11 @@ module contact_elements
   ! Output of one contact point, entries from 0: output(entry, point) needs output(0:CTE_OUTPUT_SIZE-1, *)
   integer(i4), parameter :: CTE_OUTPUT_STATUS = 0, CTE_OUTPUT_GAP = 1, CTE_OUTPUT_NORMAL_TRACTION = 2
   integer(i4), parameter :: CTE_OUTPUT_WEIGHT = 3, CTE_OUTPUT_PROJECTION = 4, CTE_OUTPUT_NORMAL = 6
-  integer(i4), parameter :: CTE_OUTPUT_ITERATIONS = 9, CTE_OUTPUT_FEATURE = 10, CTE_OUTPUT_SIZE = 11
+  integer(i4), parameter :: CTE_OUTPUT_ITERATIONS = 9, CTE_OUTPUT_FEATURE = 10
+  integer(i4), parameter :: CTE_OUTPUT_TANGENTIAL_TRACTION = 11, CTE_OUTPUT_TANGENTS = 13, CTE_OUTPUT_SIZE = 19
+
+  ! History of one contact point, entries from 0: status, projection, with friction anchor and slip path
+  integer(i4), parameter :: CTE_HISTORY_STATUS = 0, CTE_HISTORY_PROJECTION = 1
 
   ! What an element is
   type, bind(c) :: cte_info
@@ -182,6 +191,7 @@ module contact_elements
     type(c_funptr) :: status_message = c_null_funptr
     type(c_funptr) :: argument_name = c_null_funptr
     type(c_funptr) :: element_message = c_null_funptr
+    type(c_funptr) :: history_transfer = c_null_funptr
   end type cte_api_table
 
   interface
@@ -255,6 +265,16 @@ module contact_elements
       real(dp), intent(inout) :: history(*)
       integer(i4) :: code
     end function cte_element_history_init
+
+    function cte_history_transfer(from, from_output, from_history, to, to_output, to_history, argument) &
+        bind(c, name='cte_history_transfer') result(code)
+      import :: i4, dp, c_ptr
+      type(c_ptr), value :: from, to
+      real(dp), intent(in) :: from_output(*), from_history(*), to_output(*)
+      real(dp), intent(inout) :: to_history(*)
+      integer(i4), intent(inout) :: argument
+      integer(i4) :: code
+    end function cte_history_transfer
 
     function cte_element_evaluate(element, arguments) bind(c, name='cte_element_evaluate') result(code)
       import :: i4, c_ptr, cte_arguments
@@ -350,6 +370,15 @@ module contact_elements
       real(dp), intent(inout) :: history(*)
       integer(i4), intent(inout) :: code
     end subroutine cte_f77_history_init
+
+    subroutine cte_f77_history_transfer(from, from_output, from_history, to, to_output, to_history, &
+        argument, code) bind(c, name='cte_f77_history_transfer_')
+      import :: i4, dp
+      integer(i4), intent(in) :: from, to
+      real(dp), intent(in) :: from_output(*), from_history(*), to_output(*)
+      real(dp), intent(inout) :: to_history(*)
+      integer(i4), intent(inout) :: argument, code
+    end subroutine cte_f77_history_transfer
   end interface
 
 contains

@@ -16,8 +16,12 @@
  *                any number of threads; the same input gives the same bits.
  *   Memory       all memory is the caller's; nothing is kept after the return. Arrays are aligned for
  *                their type and do not overlap, but for hist_old and hist_new, which may be one array.
- *   Traps        the floating-point environment is left alone and no invalid, divide-by-zero or
- *                overflow exception is raised on the way.
+ *   Traps        the floating-point environment is left alone. No invalid, divide-by-zero or overflow
+ *                exception is raised on the way, unless a law, shape function, rigid position or closed
+ *                projection of a declaration divides by zero, leaves the domain of ln, sqrt or pow or the
+ *                range of a double: then one may be, before the status (law, degenerate, not converged)
+ *                says so. Built in: rational geometries beyond the domain, where sum of w B may vanish,
+ *                and laws whose values leave the range of a double.
  *   Growth       every struct begins with its size as the caller compiled it; new fields come at the
  *                end; a zero field means its default. Zero a struct (memset or = {0}) before filling it.
  *   Returns      0 fine; > 0 recoverable (see CTE_CUT_BACK); < 0 the caller's fault. On anything but 0
@@ -56,6 +60,9 @@ extern "C" {
 #define CTE_ERROR_NAME (-9)        /* no element of that name */
 #define CTE_ERROR_VERSION (-10)    /* the library's major version is another */
 #define CTE_ERROR_STRIDE (-11)     /* strides are negative, let entries overlap or exceed any memory */
+#define CTE_ERROR_HISTORY (-12)    /* an entry that no evaluation writes: no status, an anchor far outside, a
+                                    * negative slip path; cte_history_transfer: or not that of the output */
+#define CTE_ERROR_ELEMENT (-13)    /* cte_history_transfer: no tangential law, or another dimension */
 
 /* ------------------------------------------------------------------ arguments named by errors
  * error_index: the node for X and U (as counted in the call); the parameter for PARAMETERS; the bit number
@@ -87,6 +94,12 @@ extern "C" {
 #define CTE_ARGUMENT_CONNECTIVITY 23
 #define CTE_ARGUMENT_CSR 24
 #define CTE_ARGUMENT_STATUS 25
+#define CTE_ARGUMENT_FROM 26 /* those of cte_history_transfer */
+#define CTE_ARGUMENT_FROM_OUTPUT 27
+#define CTE_ARGUMENT_FROM_HISTORY 28
+#define CTE_ARGUMENT_TO 29
+#define CTE_ARGUMENT_TO_OUTPUT 30
+#define CTE_ARGUMENT_TO_HISTORY 31
 
 /* ------------------------------------------------------------------ what is wanted: request bits */
 #define CTE_RESIDUAL 1u        /* write f */
@@ -94,23 +107,29 @@ extern "C" {
 #define CTE_HISTORY 4u         /* write hist_new */
 #define CTE_OUTPUT 8u          /* write output */
 #define CTE_ENERGY 16u         /* write energy (elements whose law declares W) */
-#define CTE_FREEZE_STATE 32u   /* status CLOSED in hist_old: closed, any other: open, whatever the gap (line
-                                * search); a projection outside stays outside. Needs hist_old. */
-#define CTE_SYMMETRISE 64u     /* write (K + K^T)/2 */
+#define CTE_FREEZE_STATE 32u   /* status CLOSED, STICK or SLIP in hist_old: in contact, any other: open, whatever
+                                * the gap (line search); a projection outside stays outside. With friction STICK
+                                * sticks and SLIP slides, whatever the bound; without slip or bound, and after
+                                * CLOSED, the law decides. Needs hist_old. */
+#define CTE_SYMMETRISE 64u     /* write (K + K^T)/2; with friction no longer the exact tangent */
 #define CTE_PROJECTION_GIVEN 128u /* hist_old holds the projection itself: no iteration. Needs hist_old. */
 
 /* ------------------------------------------------------------------ status of a contact point
  * The element's status is the one of its worst point, in the order
- * open < outside < closed < the failures. */
+ * open < outside < closed, stick < slip < the failures. Elements with a tangential law report STICK and
+ * SLIP, never CLOSED; the others CLOSED. */
 #define CTE_STATUS_OPEN 0           /* no contact: f, k and energy are zero */
-#define CTE_STATUS_CLOSED 1         /* in contact */
+#define CTE_STATUS_CLOSED 1         /* in contact, without friction */
+#define CTE_STATUS_STICK 2          /* in contact, held by its anchor */
+#define CTE_STATUS_SLIP 3           /* in contact, sliding: the tangential force is at its bound */
 #define CTE_STATUS_OUTSIDE 4        /* the projection lies beyond the master's edge or vertex: as open */
 #define CTE_STATUS_NOT_CONVERGED 5  /* the projection did not converge: CTE_CUT_BACK */
 #define CTE_STATUS_NOT_UNIQUE 6     /* the projection is not unique (focal surface, parallel tangents, axis): CTE_CUT_BACK */
 #define CTE_STATUS_DEGENERATE 7     /* zero area or length, L = 0 in codimension 2 or 3, the axis or centre of a
-                                     * distance function, a gap that is no number: CTE_CUT_BACK */
-#define CTE_STATUS_LAW 8            /* the gap is outside the normal law's domain (barrier passed), or the law's
-                                     * values there are no numbers: CTE_CUT_BACK */
+                                     * distance function, a gap that is no number, an axis of friction of length
+                                     * zero or normal to the master: CTE_CUT_BACK */
+#define CTE_STATUS_LAW 8            /* the gap is outside the normal law's domain (barrier passed), or the values
+                                     * of the normal or tangential law there are no numbers: CTE_CUT_BACK */
 
 /* ------------------------------------------------------------------ kinds of unknowns */
 #define CTE_UNKNOWN_UX 1      /* displacement x [length] */
@@ -124,13 +143,21 @@ extern "C" {
  * With CTE_OUTPUT, output[point * CTE_OUTPUT_SIZE + entry]: */
 #define CTE_OUTPUT_STATUS 0     /* CTE_STATUS_* as a number */
 #define CTE_OUTPUT_GAP 1        /* gap g [length]; 0 where the projection failed */
-#define CTE_OUTPUT_NORMAL_TRACTION 2 /* N, < 0 in contact [force, or force per area where integrated] */
-#define CTE_OUTPUT_WEIGHT 3     /* integration weight times Jacobian (1 for points) */
+#define CTE_OUTPUT_NORMAL_TRACTION 2 /* N, 0 where not closed [force, or force per length or area] */
+#define CTE_OUTPUT_WEIGHT 3     /* integration weight times Jacobian (1 for points), 0 where not closed */
 #define CTE_OUTPUT_PROJECTION 4 /* two entries: projected parameters (slave curve first for curve to curve) */
 #define CTE_OUTPUT_NORMAL 6     /* three entries: unit normal */
 #define CTE_OUTPUT_ITERATIONS 9 /* Newton iterations of the projection */
 #define CTE_OUTPUT_FEATURE 10   /* 0 inside, else what the projection lies beyond, see below */
-#define CTE_OUTPUT_SIZE 11
+#define CTE_OUTPUT_TANGENTIAL_TRACTION 11 /* two entries: T_1, T_2, units as N; T_1 d_1 + T_2 d_2 is the friction
+                                 * on the slave (on curved masters at zero gap; f has it at any gap). 0 without
+                                 * friction and where not in contact. d_1: along b_1, or the axis of an
+                                 * orthotropic law in the tangent plane; d_2 = n x d_1. One projected
+                                 * parameter: T_2 = 0 */
+#define CTE_OUTPUT_TANGENTS 13  /* six entries: b_1, b_2 in the global frame [length per unit of the projected
+                                 * parameter]: of a slave curve its tangent, of the master minus its tangent.
+                                 * 0 where there are fewer, third entries 0 in 2D */
+#define CTE_OUTPUT_SIZE 19
 /* CTE_OUTPUT_FEATURE
  *   quadrilaterals   1 + edge: 0 between nodes 0 and 1 (eta low), 1 between 1 and 2, 2 between 2 and 3,
  *                    3 between 3 and 0; 5 + vertex: corner 0..3, counter-clockwise in (xi, eta). Corner 0 is
@@ -139,6 +166,28 @@ extern "C" {
  *   curves           5 lower end, 6 upper end.
  *   curve to curve   1, 2 lower, upper end of the slave; 3, 4 of the master; beyond both
  *                    5 + slave end + 2 * master end (end 0 lower, 1 upper). */
+
+/* ------------------------------------------------------------------ history of one contact point
+ * cte_info.history = points * entries per point. P projected parameters:
+ *   without friction  1 + P    status, projection
+ *   with friction     2 + 2 P  status, projection [P], anchor [P], slip path [length]
+ * hist_old is the accepted state: the last converged step. hist_new is a trial; no evaluation reads it. When the
+ * step is accepted the host copies hist_new over hist_old, all of it; when it is cut back the host drops hist_new.
+ *
+ * Friction. The slip s = sum_i b_i (projection - anchor)^i of the accepted anchor gives the force: elastic while
+ * it sticks, at its bound while it slides. Where contact begins (status open or outside in hist_old, or
+ * hist_old null) the anchor is the projection: T = 0 and no tangential stiffness in this step, which alone
+ * would let a body float; the next accepted step holds it. While sticking the anchor stays; on sliding
+ * hist_new has the anchor from which the force is elastic again, and the slip path has grown by what slid.
+ * The force is a function of the displacements at the end of the step and of hist_old, not of the path of the
+ * iterations. K is its derivative and is not symmetric (cte_info.symmetric 0): a host needs a solver for general
+ * matrices. The element's energy is W + sum t_q^2/(2 e_q), what is stored: with friction f is not its derivative,
+ * so a line search has to look at f. A step that reverses the slip begins at the bound, where rounding decides
+ * between stick and slip: a first iteration with CTE_FREEZE_STATE and STICK in the place of SLIP in a copy of
+ * hist_old takes the elastic tangent. When the projection passes to a neighbouring element:
+ * cte_history_transfer. */
+#define CTE_HISTORY_STATUS 0     /* CTE_STATUS_* as a number */
+#define CTE_HISTORY_PROJECTION 1 /* P entries; then, with friction, P entries of the anchor and the slip path */
 
 typedef struct cte_element cte_element; /* opaque, immutable, static */
 
@@ -180,13 +229,14 @@ typedef struct cte_arguments {
   double dt;               /* not used */
   const double *x;         /* reference coordinates [node][component] [length] */
   const double *u;         /* displacements at the end of the step, same shape; null: zero */
-  const double *u_old;     /* at its start; null allowed; not used without friction */
+  const double *u_old;     /* at its start; null allowed; not used: what friction remembers is in hist_old */
   const double *v;         /* velocities; null allowed; not used */
   int64_t x_node_stride;   /* doubles from node to node in x, at least dimension; 0: dimension */
   int64_t u_node_stride;   /* the same in u, u_old, v; 0: dimension */
   const double *parameters;
-  const double *hist_old;  /* accepted history; null: the projection starts from the centre (CTE_ERROR_NULL
-                            * with CTE_FREEZE_STATE or CTE_PROJECTION_GIVEN) */
+  const double *hist_old;  /* accepted history; null: the projection starts from the centre, and contact with
+                            * friction begins here (CTE_ERROR_NULL with CTE_FREEZE_STATE or
+                            * CTE_PROJECTION_GIVEN) */
   double *hist_new;        /* trial history; may be the same array as hist_old */
   const double *slave_row; /* interpolated slaves: shape functions of the slave point [nslave], then its weight */
   double *f;               /* residual; entry i goes to f[unknown_map ? unknown_map[i] : i] */
@@ -281,7 +331,7 @@ int32_t cte_element_info(const cte_element *element, int32_t nnode, cte_info *in
 /* Unknown `index` of a call with nnode nodes: its node and its kind (CTE_UNKNOWN_*). */
 int32_t cte_element_unknown(const cte_element *element, int32_t nnode, int32_t index, int32_t *node, int32_t *kind);
 
-/* Parameter `index`: name and unit (static, zero-terminated), range and default. Any output may be null.
+/* Parameter `index`: name and unit (static, zero-terminated) and range. Any output may be null.
  * A range is closed at a bound when the corresponding bit of *closed is set (1 lower, 2 upper). */
 int32_t cte_element_parameter(const cte_element *element, int32_t index, const char **name, const char **unit,
                               double *lower, double *upper, int32_t *closed);
@@ -289,8 +339,27 @@ int32_t cte_element_parameter(const cte_element *element, int32_t index, const c
 /* Checks count parameters. 0, or CTE_ERROR_PARAMETER / CTE_ERROR_NOT_FINITE with the first bad one in *index. */
 int32_t cte_element_check_parameters(const cte_element *element, const double *parameters, int32_t count, int32_t *index);
 
-/* Writes the initial history: per contact point [status, projected parameters], open, at the centre. */
+/* Writes the initial history: open, projection and anchor at the centre, slip path 0. */
 int32_t cte_element_history_init(const cte_element *element, double *history);
+
+/* Takes an elastic slip along when the projection of a contact point passes from one element to its neighbour,
+ * so that the tangential force does not jump. One contact point of each element:
+ *   from_history  its accepted history, from_output the output of that state ([CTE_OUTPUT_SIZE])
+ *   to_history    in: from an evaluation of `to` at the same displacements with the history of
+ *                 cte_element_history_init; to_output is of the same call. Beyond the edge of `to` (status
+ *                 outside) is fine. out: status, anchor and slip path are those of from_history, as `to` counts them.
+ * The slip s of from_history is turned from the tangent plane of `from` into that of `to` by the smallest rotation
+ * between the normals, which keeps its length; the anchor is the projection minus the parameters of s. Then
+ * to_history is the accepted history of the point on `to`. With the same tangential law and parameters on both
+ * elements the force keeps its length, and on coplanar elements its direction. Convected axes are those of
+ * each element. Where from_history is not in contact nothing is to be carried: 0, to_history stays.
+ * argument (may be null): CTE_ARGUMENT_FROM .. TO_HISTORY, or NONE with 0. CTE_ERROR_NULL; CTE_ERROR_ELEMENT: no
+ * tangential law, or dimension or number of projected parameters differ; CTE_ERROR_NOT_FINITE;
+ * CTE_ERROR_HISTORY: no history, or projection in history and output differ; CTE_CUT_BACK: tangents or normal
+ * span no plane, normals opposite, a slip across the curve. On anything but 0 to_history is as it was: contact on
+ * `to` begins anew. */
+int32_t cte_history_transfer(const cte_element *from, const double *from_output, const double *from_history,
+                             const cte_element *to, const double *to_output, double *to_history, int32_t *argument);
 
 /* Evaluates one element. The scalars at the end of *arguments (dt_ratio .. error_index) are written always
  * but when arguments is null or its struct_size too small; a null element is CTE_ARGUMENT_ELEMENT. */
@@ -345,6 +414,8 @@ typedef struct cte_api_table {
   const char *(*status_message)(int32_t);
   const char *(*argument_name)(int32_t);
   int32_t (*element_message)(const cte_element *, const cte_arguments *, int32_t, char *, int32_t);
+  int32_t (*history_transfer)(const cte_element *, const double *, const double *, const cte_element *, const double *,
+                              double *, int32_t *);
 } cte_api_table;
 
 /* Fills *table. major: CTE_VERSION_MAJOR of this header. CTE_ERROR_VERSION when the library's differs. */
@@ -365,6 +436,8 @@ int32_t cte_api(uint32_t major, cte_api_table *table);
  *                                              parameters, history, points, projected, symmetric;
  *                                              all -1 for an index or NNODE that does not exist
  *   CALL CTE_F77_HISTORY_INIT(ELEMENT, HISTORY, CODE)
+ *   CALL CTE_F77_HISTORY_TRANSFER(FROM, FOUT, FHIST, TO, TOUT, THIST, ARGUM, CODE)  cte_history_transfer;
+ *                                              CODE is CTE_ERROR_INDEX for an index that no element has
  */
 void cte_f77_evaluate_(const int32_t *element, const int32_t *request, const int32_t *nnode, const int32_t *nslave,
                        const double *x, const double *u, const double *parameters, const int32_t *parameter_count,
@@ -372,6 +445,9 @@ void cte_f77_evaluate_(const int32_t *element, const int32_t *request, const int
                        const int32_t *ldk, double *output, double *energy, int32_t *status, int32_t *code);
 void cte_f77_info_(const int32_t *element, const int32_t *nnode, int32_t *sizes);
 void cte_f77_history_init_(const int32_t *element, double *history, int32_t *code);
+void cte_f77_history_transfer_(const int32_t *from, const double *from_output, const double *from_history,
+                               const int32_t *to, const double *to_output, double *to_history, int32_t *argument,
+                               int32_t *code);
 
 /* Element symbols: one per element, int32_t NAME(cte_arguments *), see contact_elements_symbols.h. */
 

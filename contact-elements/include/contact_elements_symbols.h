@@ -352,6 +352,148 @@ int32_t cte_point_circle_distance2d(cte_arguments *arguments);
 #define CTE_INTERPOLATED_CIRCLE_DISTANCE2D 85
 int32_t cte_interpolated_circle_distance2d(cte_arguments *arguments);
 
+/* Point against a flat triangle, Coulomb friction. */
+#define CTE_POINT_TRI3_COULOMB 86
+int32_t cte_point_tri3_coulomb(cte_arguments *arguments);
+
+/* Point against a bilinear facet, Coulomb friction. */
+#define CTE_POINT_QUAD4_COULOMB 87
+int32_t cte_point_quad4_coulomb(cte_arguments *arguments);
+
+/* Point against a biquadratic facet, Coulomb friction. */
+#define CTE_POINT_QUAD9_COULOMB 88
+int32_t cte_point_quad9_coulomb(cte_arguments *arguments);
+
+/* Point against a biquadratic Bezier facet, Coulomb friction. */
+#define CTE_POINT_BEZIER_SURFACE2_COULOMB 89
+int32_t cte_point_bezier_surface2_coulomb(cte_arguments *arguments);
+
+/* Point against a rational biquadratic Bezier facet, Coulomb friction. */
+#define CTE_POINT_RATIONAL_SURFACE2_COULOMB 90
+int32_t cte_point_rational_surface2_coulomb(cte_arguments *arguments);
+
+/* Point against a placed rigid plane, Coulomb friction. */
+#define CTE_POINT_PLANE_COULOMB 91
+int32_t cte_point_plane_coulomb(cte_arguments *arguments);
+
+/* Point against a placed rigid cylinder, Coulomb friction. */
+#define CTE_POINT_CYLINDER_COULOMB 92
+int32_t cte_point_cylinder_coulomb(cte_arguments *arguments);
+
+/* Point against a placed rigid torus, Coulomb friction. */
+#define CTE_POINT_TORUS_COULOMB 93
+int32_t cte_point_torus_coulomb(cte_arguments *arguments);
+
+/* Point against a cubic Hermite curve, Coulomb friction along it. */
+#define CTE_POINT_HERMITE_COULOMB 94
+int32_t cte_point_hermite_coulomb(cte_arguments *arguments);
+
+/* Point against a placed rigid helix, Coulomb friction along it. */
+#define CTE_POINT_HELIX_COULOMB 95
+int32_t cte_point_helix_coulomb(cte_arguments *arguments);
+
+/* Two straight beams, Coulomb friction. */
+#define CTE_LINE2_LINE2_BEAMS_COULOMB 96
+int32_t cte_line2_line2_beams_coulomb(cte_arguments *arguments);
+
+/* Two cubic Hermite beams, Coulomb friction. */
+#define CTE_HERMITE_HERMITE_BEAMS_COULOMB 97
+int32_t cte_hermite_hermite_beams_coulomb(cte_arguments *arguments);
+
+/* Two straight edges of solids, Coulomb friction. */
+#define CTE_LINE2_LINE2_EDGES_COULOMB 98
+int32_t cte_line2_line2_edges_coulomb(cte_arguments *arguments);
+
+/* Two cubic Hermite edges, Coulomb friction. */
+#define CTE_HERMITE_HERMITE_EDGES_COULOMB 99
+int32_t cte_hermite_hermite_edges_coulomb(cte_arguments *arguments);
+
+/* Cubic Hermite curve on a bilinear facet: pulling friction along the curve, dragging friction across. */
+#define CTE_HERMITE_QUAD4_ORTHOTROPIC 100
+int32_t cte_hermite_quad4_orthotropic(cte_arguments *arguments);
+
+/* One point of a cubic Hermite curve on a bilinear facet: pulling friction along the curve, dragging */
+/* friction across. */
+#define CTE_HERMITE_QUAD4_ORTHOTROPIC_AT_POINT 101
+int32_t cte_hermite_quad4_orthotropic_at_point(cte_arguments *arguments);
+
+/* One point of a straight line on a biquadratic facet: pulling friction along the line, dragging friction */
+/* across. */
+#define CTE_LINE2_QUAD9_ORTHOTROPIC_AT_POINT 102
+int32_t cte_line2_quad9_orthotropic_at_point(cte_arguments *arguments);
+
+/* Straight rope segment on a placed rigid cylinder: pulling friction along it, dragging friction across. */
+#define CTE_LINE2_CYLINDER_ORTHOTROPIC 103
+int32_t cte_line2_cylinder_orthotropic(cte_arguments *arguments);
+
+/* Bilinear facet on bilinear facet, Coulomb friction. */
+#define CTE_QUAD4_QUAD4_COULOMB 104
+int32_t cte_quad4_quad4_coulomb(cte_arguments *arguments);
+
+/* One point of a bilinear facet on a bilinear facet, Coulomb friction. */
+#define CTE_QUAD4_QUAD4_COULOMB_AT_POINT 105
+int32_t cte_quad4_quad4_coulomb_at_point(cte_arguments *arguments);
+
+/* Bilinear facet on bilinear facet, Coulomb friction, area of the current configuration. */
+#define CTE_QUAD4_QUAD4_COULOMB_CURRENT 106
+int32_t cte_quad4_quad4_coulomb_current(cte_arguments *arguments);
+
+/* Slave of any discretisation on a bilinear facet, Coulomb friction. */
+#define CTE_INTERPOLATED_QUAD4_COULOMB 107
+int32_t cte_interpolated_quad4_coulomb(cte_arguments *arguments);
+
+/* Slave of any discretisation on a placed rigid cylinder, Coulomb friction. */
+#define CTE_INTERPOLATED_CYLINDER_COULOMB 108
+int32_t cte_interpolated_cylinder_coulomb(cte_arguments *arguments);
+
+/* Point against a bilinear facet, tied while in contact. */
+#define CTE_POINT_QUAD4_STICK 109
+int32_t cte_point_quad4_stick(cte_arguments *arguments);
+
+/* Point against a bilinear facet, Coulomb friction with adhesion. */
+#define CTE_POINT_QUAD4_COULOMB_ADHESIVE 110
+int32_t cte_point_quad4_coulomb_adhesive(cte_arguments *arguments);
+
+/* Point against a bilinear facet, static and kinetic friction. */
+#define CTE_POINT_QUAD4_COULOMB_STATIC_KINETIC 111
+int32_t cte_point_quad4_coulomb_static_kinetic(cte_arguments *arguments);
+
+/* Point against a bilinear facet, orthotropic friction along axes that the facet convects. */
+#define CTE_POINT_QUAD4_ORTHOTROPIC 112
+int32_t cte_point_quad4_orthotropic(cte_arguments *arguments);
+
+/* Point against a placed rigid plane, orthotropic friction along axes of the plane. */
+#define CTE_POINT_PLANE_ORTHOTROPIC 113
+int32_t cte_point_plane_orthotropic(cte_arguments *arguments);
+
+/* Point against a bilinear facet, power law and Coulomb friction. */
+#define CTE_POINT_QUAD4_POWER_LAW_COULOMB 114
+int32_t cte_point_quad4_power_law_coulomb(cte_arguments *arguments);
+
+/* Point against a bilinear facet, Coulomb friction on the tangent plane: exact at zero gap only. */
+#define CTE_POINT_QUAD4_COULOMB_TANGENT_PLANE 115
+int32_t cte_point_quad4_coulomb_tangent_plane(cte_arguments *arguments);
+
+/* Point against a bilinear facet, Coulomb friction, residual only. */
+#define CTE_POINT_QUAD4_COULOMB_RESIDUAL 116
+int32_t cte_point_quad4_coulomb_residual(cte_arguments *arguments);
+
+/* Point against a straight segment in the plane, Coulomb friction. */
+#define CTE_POINT_LINE2_COULOMB2D 117
+int32_t cte_point_line2_coulomb2d(cte_arguments *arguments);
+
+/* Point against a quadratic curve in the plane, Coulomb friction. */
+#define CTE_POINT_LINE3_COULOMB2D 118
+int32_t cte_point_line3_coulomb2d(cte_arguments *arguments);
+
+/* Point against a placed rigid circle in the plane, Coulomb friction. */
+#define CTE_POINT_CIRCLE_COULOMB2D 119
+int32_t cte_point_circle_coulomb2d(cte_arguments *arguments);
+
+/* Straight segment on straight segment in the plane, Coulomb friction. */
+#define CTE_LINE2_LINE2_COULOMB2D 120
+int32_t cte_line2_line2_coulomb2d(cte_arguments *arguments);
+
 #ifdef __cplusplus
 }
 #endif

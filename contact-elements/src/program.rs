@@ -95,6 +95,30 @@ pub struct LawPrograms {
     pub valid: Option<Program>,
 }
 
+/// The programs of a tangential law.
+#[derive(Clone, Copy, Debug)]
+pub struct TangentialLawPrograms {
+    /// Name in the declaration.
+    pub name: &'static str,
+    /// True for two axes.
+    pub orthotropic: bool,
+    /// Pressure, slip, parameters → stiffness, bound and its slopes.
+    pub friction: Program,
+    /// Force beyond the bound; none for a law that sticks always.
+    pub sliding: Option<Program>,
+}
+
+/// First axis of an orthotropic tangential law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxisDescription {
+    /// The law has none.
+    None,
+    /// Along wⁱ b_i, w given at run time.
+    Convected,
+    /// Along the slave curve.
+    Slave,
+}
+
 /// The programs of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementPrograms {
@@ -104,6 +128,12 @@ pub struct ElementPrograms {
     pub tangent: Option<Program>,
     /// Jacobian of the slave.
     pub measure: Option<Program>,
+    /// Orthonormal frame and slip, with friction.
+    pub frame: Option<Program>,
+    /// Coefficients of the tangential residual, with friction.
+    pub tangential_residual: Option<Program>,
+    /// Coefficients of the tangential tangent, with friction.
+    pub tangential_tangent: Option<Program>,
 }
 
 /// Slave of an element as declared.
@@ -149,6 +179,10 @@ pub struct ElementDescription {
     pub master: MasterDescription,
     /// Normal law.
     pub law: &'static LawPrograms,
+    /// Tangential law; none: frictionless.
+    pub tangential: Option<&'static TangentialLawPrograms>,
+    /// First axis of an orthotropic tangential law.
+    pub axis: AxisDescription,
     /// True where a rigid geometry is placed by parameters.
     pub placed: bool,
     /// True for a gap with a sign.

@@ -5,7 +5,7 @@
 
 use proc_macro::TokenStream;
 
-/// Declares geometries, normal laws and elements; see the book page `docs/declare.md`.
+/// Declares geometries, laws and elements; see the book page `docs/declare.md`.
 ///
 /// With `export PREFIX;` as the first line the C interface of the declared elements is exported under
 /// that prefix.

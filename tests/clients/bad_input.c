@@ -351,6 +351,7 @@ int main(void)
   bad_calls();
   bad_batches();
   bad_states();
+  bad_friction();
   printf("%s bad_input, %d failures\n", client_failures ? "FAIL" : "PASS", client_failures);
   return client_failures ? 1 : 0;
 }

@@ -12,6 +12,7 @@ program bad_input
   use bad_calls, only: bad_calls_run
   use bad_batches, only: bad_batches_run
   use bad_states, only: bad_states_run
+  use bad_friction, only: bad_friction_run
   implicit none
   type(bench), save, target :: b
   call null_pointers()
@@ -28,6 +29,7 @@ program bad_input
   call bad_calls_run()
   call bad_batches_run()
   call bad_states_run()
+  call bad_friction_run()
   print '(2a,i0,a)', merge('PASS', 'FAIL', client_failures == 0), ' bad_input, ', client_failures, ' failures'
   if (client_failures /= 0) stop 1
 

@@ -59,12 +59,17 @@ int client_contains(const char *text, const char *word)
   return strstr(text, word) != NULL;
 }
 
-/* A value inside the parameter's range: 100 for the penalty, else the first of 0, 1, 1/2 that fits. */
+/* A value inside the parameter's range: 100 for the penalty, 1/4 for coefficients of friction, 1 for the first
+ * component of an axis, else the first of 0, 1, 1/2 that fits. */
 static double plain_value(const char *name, double lower, double upper, int32_t closed)
 {
   const double candidate[3] = {0.0, 1.0, 0.5};
   if (strcmp(name, "eps_n") == 0)
     return 100.0; /* [force/length] */
+  if (strncmp(name, "mu", 2) == 0)
+    return 0.25;
+  if (strcmp(name, "axis_1") == 0)
+    return 1.0;
   for (int i = 0; i < 3; i++)
     if ((candidate[i] > lower || ((closed & 1) && candidate[i] == lower)) &&
         (candidate[i] < upper || ((closed & 2) && candidate[i] == upper)))

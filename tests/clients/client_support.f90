@@ -15,7 +15,7 @@ module client_support
 
   integer, parameter :: dp = c_double, i4 = c_int32_t, i8 = c_int64_t
   integer, parameter, public :: room_nodes = 64, room_unknowns = 3*room_nodes, room_parameters = 64
-  integer, parameter, public :: room_points = 64, room_history = 4*room_points, room_workspace = 2**18
+  integer, parameter, public :: room_points = 64, room_history = 6*room_points, room_workspace = 2**18
 
   ! Failures so far, of all checks.
   integer, public :: client_failures = 0
@@ -120,7 +120,8 @@ contains
     if (length < len(text)) text = ''
   end function client_message
 
-  ! A value inside the parameter's range: 100 for the penalty, else the first of 0, 1, 1/2 that fits.
+  ! A value inside the parameter's range: 100 for the penalty, 1/4 for coefficients of friction, 1 for the first
+  ! component of an axis, else the first of 0, 1, 1/2 that fits.
   pure function plain_value(name, lower, upper, closed) result(value)
     character(len=*), intent(in) :: name
     real(dp), intent(in) :: lower, upper
@@ -131,6 +132,10 @@ contains
     integer :: i
     value = 100 ! [force/length]
     if (name == 'eps_n') return
+    value = 0.25_dp
+    if (index(name, 'mu') == 1) return
+    value = 1
+    if (name == 'axis_1') return
     do i = 1, 3
       value = candidate(i)
       above = value > lower .or. (btest(closed, 0) .and. value >= lower)
@@ -264,7 +269,8 @@ contains
   end subroutine place
 
   ! The same by name for the elements with a known closed state: PointQuad4, InterpolatedQuad4, PointLine2,
-  ! PointPoint, PointCylinder, PointCylinderDistance. Failure is counted.
+  ! PointPoint, PointCylinder, PointCylinderDistance, and with friction on Quad4, Line2, Cylinder. Failure is
+  ! counted.
   subroutine bench_open(b, name)
     type(bench), intent(inout), target :: b
     character(len=*), intent(in) :: name

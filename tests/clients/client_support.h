@@ -13,7 +13,7 @@ enum {
   ROOM_UNKNOWNS = 3 * ROOM_NODES,
   ROOM_PARAMETERS = 64,
   ROOM_POINTS = 64,
-  ROOM_HISTORY = 4 * ROOM_POINTS,
+  ROOM_HISTORY = 6 * ROOM_POINTS, /* with friction 2 + 2 * 2 per point */
   ROOM_WORKSPACE = 1 << 18
 };
 
@@ -55,7 +55,7 @@ double client_random(void);
 int bench_index(bench *b, int32_t index, int32_t nslave);
 
 /* The same by name for the elements with a known closed state: PointQuad4, InterpolatedQuad4, PointLine2,
- * PointPoint, PointCylinder, PointCylinderDistance. Failure is counted. */
+ * PointPoint, PointCylinder, PointCylinderDistance, and with friction on Quad4, Line2, Cylinder. Failure is counted. */
 int bench_open(bench *b, const char *name);
 
 /* Index of a named parameter, -1 when there is none; sets it. */

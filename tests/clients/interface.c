@@ -20,6 +20,8 @@ int main(void)
   interface_evaluate();
   interface_entries();
   interface_batch();
+  interface_friction();
+  interface_transfer();
   printf("%s interface, %d failures\n", client_failures ? "FAIL" : "PASS", client_failures);
   return client_failures ? 1 : 0;
 }

@@ -11,6 +11,8 @@ program interface_client
   use interface_evaluate, only: interface_evaluate_run
   use interface_entries, only: interface_entries_run
   use interface_batch, only: interface_batch_run
+  use interface_friction, only: interface_friction_run
+  use interface_transfer, only: interface_transfer_run
   implicit none
   call interface_layout_run()
   call interface_constants_run()
@@ -18,6 +20,8 @@ program interface_client
   call interface_evaluate_run()
   call interface_entries_run()
   call interface_batch_run()
+  call interface_friction_run()
+  call interface_transfer_run()
   print '(2a,i0,a)', merge('PASS', 'FAIL', client_failures == 0), ' interface, ', client_failures, ' failures'
   if (client_failures /= 0) stop 1
 end program interface_client

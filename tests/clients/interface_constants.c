@@ -45,7 +45,7 @@ static void codes(void)
       CONSTANT(CTE_ERROR_STRUCT_SIZE, -2), CONSTANT(CTE_ERROR_NODE_COUNT, -3), CONSTANT(CTE_ERROR_PARAMETER, -4),
       CONSTANT(CTE_ERROR_REQUEST, -5),    CONSTANT(CTE_ERROR_WORKSPACE, -6),  CONSTANT(CTE_ERROR_NOT_FINITE, -7),
       CONSTANT(CTE_ERROR_INDEX, -8),      CONSTANT(CTE_ERROR_NAME, -9),       CONSTANT(CTE_ERROR_VERSION, -10),
-      CONSTANT(CTE_ERROR_STRIDE, -11)};
+      CONSTANT(CTE_ERROR_STRIDE, -11),    CONSTANT(CTE_ERROR_HISTORY, -12),   CONSTANT(CTE_ERROR_ELEMENT, -13)};
   COMPARE("return codes", list);
   texts("texts of the return codes", list, sizeof list / sizeof list[0], cte_code_message);
 }
@@ -65,7 +65,10 @@ static void arguments(void)
       CONSTANT(CTE_ARGUMENT_WORKSPACE, 18),   CONSTANT(CTE_ARGUMENT_ELEMENT, 19),
       CONSTANT(CTE_ARGUMENT_INFO, 20),        CONSTANT(CTE_ARGUMENT_ELEMENT_NAME, 21),
       CONSTANT(CTE_ARGUMENT_BATCH, 22),       CONSTANT(CTE_ARGUMENT_CONNECTIVITY, 23),
-      CONSTANT(CTE_ARGUMENT_CSR, 24),         CONSTANT(CTE_ARGUMENT_STATUS, 25)};
+      CONSTANT(CTE_ARGUMENT_CSR, 24),         CONSTANT(CTE_ARGUMENT_STATUS, 25),
+      CONSTANT(CTE_ARGUMENT_FROM, 26),        CONSTANT(CTE_ARGUMENT_FROM_OUTPUT, 27),
+      CONSTANT(CTE_ARGUMENT_FROM_HISTORY, 28), CONSTANT(CTE_ARGUMENT_TO, 29),
+      CONSTANT(CTE_ARGUMENT_TO_OUTPUT, 30),   CONSTANT(CTE_ARGUMENT_TO_HISTORY, 31)};
   COMPARE("arguments", list);
   texts("names of the arguments", list, sizeof list / sizeof list[0], cte_argument_name);
   client_check(strcmp(cte_argument_name(CTE_ARGUMENT_PARAMETERS), "parameters") == 0,
@@ -76,6 +79,8 @@ static void statuses(void)
 {
   static const constant list[] = {CONSTANT(CTE_STATUS_OPEN, 0),
                                   CONSTANT(CTE_STATUS_CLOSED, 1),
+                                  CONSTANT(CTE_STATUS_STICK, 2),
+                                  CONSTANT(CTE_STATUS_SLIP, 3),
                                   CONSTANT(CTE_STATUS_OUTSIDE, 4),
                                   CONSTANT(CTE_STATUS_NOT_CONVERGED, 5),
                                   CONSTANT(CTE_STATUS_NOT_UNIQUE, 6),
@@ -97,12 +102,15 @@ static void others(void)
   static const constant outputs[] = {
       CONSTANT(CTE_OUTPUT_STATUS, 0),     CONSTANT(CTE_OUTPUT_GAP, 1),        CONSTANT(CTE_OUTPUT_NORMAL_TRACTION, 2),
       CONSTANT(CTE_OUTPUT_WEIGHT, 3),     CONSTANT(CTE_OUTPUT_PROJECTION, 4), CONSTANT(CTE_OUTPUT_NORMAL, 6),
-      CONSTANT(CTE_OUTPUT_ITERATIONS, 9), CONSTANT(CTE_OUTPUT_FEATURE, 10),   CONSTANT(CTE_OUTPUT_SIZE, 11)};
+      CONSTANT(CTE_OUTPUT_ITERATIONS, 9), CONSTANT(CTE_OUTPUT_FEATURE, 10),   CONSTANT(CTE_OUTPUT_TANGENTIAL_TRACTION, 11),
+      CONSTANT(CTE_OUTPUT_TANGENTS, 13),  CONSTANT(CTE_OUTPUT_SIZE, 19)};
+  static const constant histories[] = {CONSTANT(CTE_HISTORY_STATUS, 0), CONSTANT(CTE_HISTORY_PROJECTION, 1)};
   static const constant versions[] = {CONSTANT(CTE_VERSION_MAJOR, 1), CONSTANT(CTE_VERSION_MINOR, 0),
                                       CONSTANT(CTE_ABI_VERSION_COMPILED, 65536)};
   COMPARE("request bits", requests);
   COMPARE("kinds of unknowns", kinds);
   COMPARE("entries of the output", outputs);
+  COMPARE("entries of the history", histories);
   COMPARE("version numbers", versions);
   client_check(cte_abi_version() >> 16 == CTE_VERSION_MAJOR && cte_abi_version() >= CTE_ABI_VERSION_COMPILED,
                "the library is no older than the header");

@@ -8,5 +8,7 @@ void interface_walk(void);      /* every element: description, lookup, evaluatio
 void interface_evaluate(void);  /* every field of cte_arguments */
 void interface_entries(void);   /* the table and the Fortran 77 entries give the same bits */
 void interface_batch(void);     /* batches against single calls */
+void interface_friction(void);  /* stick, slip, history of frictional elements */
+void interface_transfer(void);  /* histories from element to element */
 
 #endif

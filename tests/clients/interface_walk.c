@@ -12,6 +12,16 @@ static bench b, alone;
 static const uint32_t all_requests = CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY | CTE_OUTPUT | CTE_ENERGY |
                                      CTE_FREEZE_STATE | CTE_SYMMETRISE | CTE_PROJECTION_GIVEN;
 
+/* Entries per point: without friction status and projection; with friction, whose tangent has no symmetry, anchor
+ * and slip path too. Else 0. */
+static int history_of_point(const cte_info *info)
+{
+  const int entries = info->history / info->points, plain = 1 + info->projected;
+  if (entries == plain)
+    return entries;
+  return entries == 2 * plain && info->projected > 0 && info->symmetric == 0 ? entries : 0;
+}
+
 /* The numbers of the description agree with each other. */
 static int description_sound(const cte_info *info)
 {
@@ -21,7 +31,7 @@ static int description_sound(const cte_info *info)
          info->nodes_minimum == (interpolated ? 1 : info->slave_nodes) + info->master_nodes &&
          info->nodes_maximum == (interpolated ? 0 : info->nodes_minimum) && info->points >= 1 &&
          info->projected >= 0 && info->projected <= 2 &&
-         info->history == info->points * (1 + info->projected) && (info->requests & CTE_RESIDUAL) &&
+         info->history % info->points == 0 && history_of_point(info) > 0 && (info->requests & CTE_RESIDUAL) &&
          (info->requests & ~all_requests) == 0 && (info->symmetric == 0 || info->symmetric == 1) &&
          info->operations > 0 && info->workspace >= 0 && info->formulation != 0 && info->name[0] != '\0' &&
          info->documentation != NULL;
@@ -71,12 +81,17 @@ static int lookup_sound(int32_t index)
          cte_element_get(index) == b.element;
 }
 
-/* Initial history: open, at the centre. */
+/* Initial history: open, projection and anchor at the centre, no slip. */
 static int history_sound(void)
 {
   int pass = 1;
-  for (int32_t point = 0; point < b.info.points; point++)
-    pass &= b.hist_old[point * (1 + b.info.projected)] == CTE_STATUS_OPEN;
+  const int entries = history_of_point(&b.info), p = b.info.projected;
+  for (int32_t point = 0; point < b.info.points; point++) {
+    const double *h = &b.hist_old[point * entries];
+    pass &= h[CTE_HISTORY_STATUS] == CTE_STATUS_OPEN;
+    if (entries > 1 + p)
+      pass &= client_same(&h[CTE_HISTORY_PROJECTION], &h[CTE_HISTORY_PROJECTION + p], p) && h[1 + 2 * p] == 0.0;
+  }
   return pass;
 }
 

@@ -14,6 +14,17 @@ module interface_walk
 
 contains
 
+  ! Entries per point: without friction status and projection; with friction, whose tangent has no symmetry,
+  ! anchor and slip path too. Else 0.
+  pure function history_of_point(info) result(entries)
+    type(cte_info), intent(in) :: info
+    integer :: entries, plain
+    entries = info%history/info%points
+    plain = 1 + info%projected
+    if (entries == plain) return
+    if (entries /= 2*plain .or. info%projected == 0 .or. info%symmetric /= 0) entries = 0
+  end function history_of_point
+
   ! The numbers of the description agree with each other.
   function description_sound(info) result(pass)
     type(cte_info), intent(in) :: info
@@ -25,7 +36,7 @@ contains
       == merge(1_i4, info%slave_nodes, interpolated) + info%master_nodes
     pass = pass .and. info%nodes_maximum == merge(0_i4, info%nodes_minimum, interpolated) &
       .and. info%points >= 1 .and. info%projected >= 0 .and. info%projected <= 2 &
-      .and. info%history == info%points*(1 + info%projected)
+      .and. mod(info%history, info%points) == 0 .and. history_of_point(info) > 0
     pass = pass .and. iand(info%requests, CTE_RESIDUAL) /= 0 .and. iand(info%requests, not(all_requests)) == 0 &
       .and. any(info%symmetric == [0, 1]) .and. info%operations > 0 .and. info%workspace >= 0
     pass = pass .and. info%formulation /= 0 .and. len(cte_string(info%name)) > 0 &
@@ -84,10 +95,20 @@ contains
     if (pass) pass = c_associated(cte_element_get(element_index), b%element)
   end function lookup_sound
 
-  ! Initial history: open, at the centre.
+  ! Initial history: open, projection and anchor at the centre, no slip.
   function history_sound() result(pass)
     logical :: pass
-    pass = all(nint(b%hist_old(1:b%info%history:1 + b%info%projected)) == CTE_STATUS_OPEN)
+    integer :: entries, p, first, point
+    entries = history_of_point(b%info)
+    p = b%info%projected
+    pass = .true.
+    do point = 0, b%info%points - 1
+      first = point*entries + 1
+      pass = pass .and. nint(b%hist_old(first + CTE_HISTORY_STATUS)) == CTE_STATUS_OPEN
+      first = first + CTE_HISTORY_PROJECTION
+      if (entries > 1 + p) pass = pass .and. abs(b%hist_old(first + 2*p)) <= 0 &
+        .and. client_same(b%hist_old(first:first + p - 1), b%hist_old(first + p:first + 2*p - 1))
+    end do
   end function history_sound
 
   ! Outputs full of signalling NaN: they are written, never read.

@@ -238,6 +238,7 @@ pub fn library_names(text: &str) -> Vec<String> {
         "rigid curve ",
         "rigid distance ",
         "normal law ",
+        "tangential law ",
         "element ",
     ];
     let heads = text

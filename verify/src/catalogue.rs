@@ -1,6 +1,8 @@
 //! Which oracle geometry and law each name of the built-in library is.
 
-use contact_elements::program::{ElementDescription, MasterDescription, SlaveDescription};
+use contact_elements::program::{
+    AxisDescription, ElementDescription, MasterDescription, SlaveDescription,
+};
 
 use crate::oracle::geometry::{
     DeclaredSurface, Interpolation, Placement, Region, RigidDistance, RigidParametric, Shape,
@@ -8,6 +10,7 @@ use crate::oracle::geometry::{
 use crate::oracle::law::Law;
 use crate::oracle::number::Number;
 use crate::oracle::pair::{IntegrationPoint, Master, Measure, Row, Slave};
+use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
 use crate::subject::UnknownName;
 
 /// A circle run through clockwise, so that its left normal points outward.
@@ -182,4 +185,44 @@ pub(crate) fn law(name: &str) -> Result<Law, UnknownName> {
         },
         other => return Err(UnknownName(other.to_string())),
     })
+}
+
+/// The tangential law and axis of a declaration with parameters to be replaced.
+pub(crate) fn tangential(
+    description: &ElementDescription,
+) -> Result<Option<Tangential>, UnknownName> {
+    let Some(programs) = description.tangential else {
+        return Ok(None);
+    };
+    let (eps_t, mu) = (500.0, 0.3);
+    let law = match programs.name {
+        "Stick" => TangentialLaw::Stick { eps_t },
+        "Coulomb" => TangentialLaw::Coulomb { eps_t, mu },
+        "CoulombAdhesive" => TangentialLaw::Adhesive {
+            eps_t,
+            mu,
+            cohesion: 5.0,
+        },
+        "CoulombStaticKinetic" => TangentialLaw::StaticKinetic {
+            eps_t,
+            mu_s: 0.4,
+            mu_k: mu,
+            decay: 0.1,
+        },
+        "CoulombOrthotropic" => TangentialLaw::Orthotropic {
+            eps_t: [eps_t; 2],
+            mu: [mu; 2],
+        },
+        other => return Err(UnknownName(other.to_string())),
+    };
+    let axis = match description.axis {
+        AxisDescription::None => None,
+        AxisDescription::Convected => Some(Axis::Convected([1.0, 0.5])),
+        AxisDescription::Slave => Some(Axis::SlaveCurve),
+    };
+    Ok(Some(Tangential {
+        law,
+        axis,
+        tangent_plane: description.tangent_plane,
+    }))
 }

@@ -8,6 +8,7 @@ use crate::proof::invariance::Invariance;
 use crate::proof::mutation::Mutants;
 use crate::proof::random::Random;
 use crate::proof::reference::CaseResult;
+use crate::proof::sequences::Sequences;
 use crate::proof::slopes::Slopes;
 
 /// What was proven of one element.
@@ -21,12 +22,18 @@ pub struct ElementCertificate {
     pub operations: usize,
     /// Bytes of the emitted Rust source.
     pub source_bytes: usize,
-    /// Random states built to be closed.
+    /// Random states built to be closed; without friction.
     pub closed: Option<Random>,
+    /// Random states built to stick; with friction.
+    pub stick: Option<Random>,
+    /// Random states built to slip; with friction and a bound.
+    pub slip: Option<Random>,
     /// Random states built to be open.
     pub open: Option<Random>,
     /// Random states built to lie outside; nothing where there is no boundary.
     pub outside: Option<Random>,
+    /// Sequences of steps; with friction.
+    pub sequences: Option<Sequences>,
     /// Symmetry, balance, motion, units.
     pub invariance: Invariance,
     /// Error orders of tangent-plane elements.
@@ -36,68 +43,73 @@ pub struct ElementCertificate {
 }
 
 impl ElementCertificate {
+    /// Random states by the status they were built for.
+    pub fn random(&self) -> impl Iterator<Item = (&'static str, &Random)> {
+        let all = [
+            ("closed", &self.closed),
+            ("stick", &self.stick),
+            ("slip", &self.slip),
+            ("open", &self.open),
+            ("outside", &self.outside),
+        ];
+        all.into_iter()
+            .filter_map(|(what, random)| Some((what, random.as_ref()?)))
+    }
+
+    /// What was found beside the random states.
+    fn others(&self) -> impl Iterator<Item = &Finding> {
+        let slopes = self.slopes.as_ref().map(|slopes| &slopes.finding);
+        let sequences = self.sequences.as_ref().map(|s| &s.finding);
+        let always = [&self.invariance.finding, &self.mutants.unchanged];
+        slopes.into_iter().chain(sequences).chain(always)
+    }
+
     /// Failures of all kinds.
     pub fn failed(&self) -> u64 {
-        let random = [&self.closed, &self.open, &self.outside];
-        let random: u64 = random
-            .iter()
-            .filter_map(|r| r.as_ref())
-            .map(|r| r.finding.failed)
-            .sum();
-        let slopes = self
-            .slopes
-            .as_ref()
-            .map_or(0, |slopes| slopes.finding.failed);
-        random
-            + slopes
-            + self.invariance.finding.failed
-            + self.mutants.survivors.len() as u64
-            + self.mutants.unchanged.failed
+        let random: u64 = self.random().map(|(_, r)| r.finding.failed).sum();
+        let others: u64 = self.others().map(|finding| finding.failed).sum();
+        random + others + self.mutants.survivors.len() as u64
     }
 
     fn failures(&self) -> Vec<String> {
         let mut lines: Vec<String> = self.mutants.survivors.clone();
-        for (what, random) in [
-            ("closed", &self.closed),
-            ("open", &self.open),
-            ("outside", &self.outside),
-        ] {
-            if let Some(random) = random {
-                lines.extend(
-                    random
-                        .finding
-                        .failures
-                        .iter()
-                        .map(|f| format!("{what}: {f}")),
-                );
-            }
+        for (what, random) in self.random() {
+            let failures = random.finding.failures.iter();
+            lines.extend(failures.map(|failure| format!("{what}: {failure}")));
         }
-        if let Some(slopes) = &self.slopes {
-            lines.extend(slopes.finding.failures.clone());
-        }
-        lines.extend(self.invariance.finding.failures.clone());
-        lines.extend(self.mutants.unchanged.failures.clone());
+        lines.extend(self.others().flat_map(|finding| finding.failures.clone()));
         lines
     }
 
     fn states(&self) -> u64 {
-        let random = [&self.closed, &self.open, &self.outside];
-        random
-            .iter()
-            .filter_map(|r| r.as_ref())
-            .map(|r| r.finding.tried)
-            .sum()
+        self.random().map(|(_, r)| r.finding.tried).sum()
     }
 
-    /// Largest error of residual, tangent and energy over all closed states.
+    /// Random states with load, and those built to lie outside, some points of which carry load too.
+    fn loaded(&self) -> impl Iterator<Item = (&'static str, &Random)> {
+        self.random().filter(|(what, _)| *what != "open")
+    }
+
+    /// Largest error of residual, tangent and energy over all states with load.
     pub fn worst(&self) -> (f64, f64, f64) {
         let mut worst = (0.0_f64, 0.0_f64, 0.0_f64);
-        for random in [&self.closed, &self.outside].into_iter().flatten() {
+        for (_, random) in self.loaded() {
             worst.0 = worst.0.max(random.residual.error);
             worst.1 = worst.1.max(random.tangent.error);
             worst.2 = worst.2.max(random.energy.error);
         }
         worst
+    }
+
+    /// Status and number of the state with the largest error of residual or tangent.
+    fn worst_state(&self) -> String {
+        let errors = self
+            .loaded()
+            .flat_map(|(what, random)| [(what, &random.residual), (what, &random.tangent)]);
+        let worst = errors.max_by(|a, b| a.1.error.total_cmp(&b.1.error));
+        worst.map_or(String::new(), |(what, worst)| {
+            format!("{what} {}", worst.state)
+        })
     }
 }
 
@@ -203,6 +215,7 @@ impl Certificate {
             share(&self.reference),
             share(&self.coverage),
         );
+        text.push_str(&self.sequence_line());
         for element in &self.elements {
             if let Some(slopes) = &element.slopes {
                 text.push_str(&slope_line(&element.name, slopes));
@@ -217,16 +230,22 @@ impl Certificate {
     }
 }
 
+impl Certificate {
+    fn sequence_line(&self) -> String {
+        let found = || self.elements.iter().filter_map(|e| e.sequences.as_ref());
+        let steps: u64 = found().map(|s| s.finding.tried).sum();
+        let failed: u64 = found().map(|s| s.finding.failed).sum();
+        let worst = found().map(|s| s.worst.error).fold(0.0, f64::max);
+        format!(
+            "steps of frictional sequences: {} of {steps}, largest error {worst:.1e}\n",
+            steps - failed
+        )
+    }
+}
+
 fn row(element: &ElementCertificate) -> Vec<Cell> {
     let (residual, tangent, _) = element.worst();
     let has_tangent = element.slopes.is_none() && !element.name.ends_with("Residual");
-    let worst = element.closed.as_ref().map_or(0, |closed| {
-        if has_tangent && closed.tangent.error > closed.residual.error {
-            closed.tangent.state
-        } else {
-            closed.residual.state
-        }
-    });
     let left_out: Vec<&str> = element
         .mutants
         .left_out
@@ -250,7 +269,7 @@ fn row(element: &ElementCertificate) -> Vec<Cell> {
         Cell::new(element.states()),
         Cell::new(format!("{residual:.1e}")),
         Cell::new(tangent),
-        Cell::new(worst),
+        Cell::new(element.worst_state()),
         Cell::new(format!(
             "{}/{}",
             element.mutants.killed, element.mutants.made
@@ -265,9 +284,17 @@ fn slope_line(name: &str, slopes: &Slopes) -> String {
         Some((low, high)) => format!("{low:.3} to {high:.3}"),
         None => "not defined (r0 > 0)".to_string(),
     };
-    format!(
-        "{name}: order of the error in L: D²g {}, whole tangent {}\n",
+    let mut line = format!(
+        "{name}: order of the error in L: D²g {}, whole tangent {}",
         range(slopes.hessian),
         range(slopes.tangent)
-    )
+    );
+    if slopes.friction.is_some() {
+        let (tangent, moment) = (range(slopes.friction), range(slopes.moment));
+        line.push_str(&format!(
+            "; with friction: tangent {tangent}, balance of moment {moment}"
+        ));
+    }
+    line.push('\n');
+    line
 }

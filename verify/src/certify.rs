@@ -1,13 +1,14 @@
 //! All evidence for a list of elements: the built-in library, or a user's own.
 
 use std::collections::BTreeMap;
+use std::ops::Not;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::certificate::{Certificate, ElementCertificate};
 use crate::configurations::Wanted;
 use crate::proof::coverage::{self, Seen};
-use crate::proof::{edges, invariance, mutation, random, reference, slopes, tables};
+use crate::proof::{edges, invariance, mutation, random, reference, sequences, slopes, tables};
 use crate::subject::Subject;
 
 /// How much is tried.
@@ -38,10 +39,7 @@ pub fn certify(
         bar.set_message(subject.name());
         let size = sizes.get(subject.name()).copied().unwrap_or(0);
         let element = one(subject, extent, size);
-        for random in [&element.closed, &element.open, &element.outside]
-            .into_iter()
-            .flatten()
-        {
+        for (_, random) in element.random() {
             seen.statuses.extend(random.statuses.keys());
             seen.features.extend(random.features.keys());
         }
@@ -70,15 +68,22 @@ pub fn certify(
 
 fn one(subject: &Subject, extent: &Extent, source_bytes: usize) -> ElementCertificate {
     let seed = extent.seed;
+    let has_friction = subject.template.tangential.is_some();
     let try_status = |wanted| random::prove(subject, wanted, extent.states, seed);
     ElementCertificate {
         name: subject.name().to_string(),
         unknowns: subject.template.unknowns(),
         operations: subject.description.descriptor.operations,
         source_bytes,
-        closed: try_status(Wanted::Closed),
+        closed: has_friction
+            .not()
+            .then(|| try_status(Wanted::Closed))
+            .flatten(),
+        stick: try_status(Wanted::Stick),
+        slip: try_status(Wanted::Slip),
         open: try_status(Wanted::Open),
         outside: try_status(Wanted::Outside),
+        sequences: has_friction.then(|| sequences::prove(subject, seed)),
         invariance: invariance::prove(subject, seed),
         slopes: subject
             .description

@@ -3,10 +3,13 @@
 use contact_elements::abi::{self, Evaluation, OUTPUT_SIZE, Outcome};
 use contact_elements::program::{ElementDescription, SlaveDescription};
 
-use crate::catalogue::{CIRCLE_RADIUS, law, master, slave};
+use crate::catalogue::{CIRCLE_RADIUS, law, master, slave, tangential};
+use crate::configurations::Configuration;
 use crate::oracle::geometry::{Placement, RigidDistance, RigidParametric};
 use crate::oracle::law::Law;
 use crate::oracle::pair::{GapKind, Master, Pair, Slave};
+use crate::oracle::solve::{Accepted, FrictionHistory};
+use crate::oracle::tangential::{Axis, TangentialLaw};
 
 /// An element under test.
 #[derive(Clone, Debug)]
@@ -17,6 +20,8 @@ pub struct Subject {
     pub template: Pair,
     /// Parameters of a law that the oracle was given as [`Law::Declared`].
     pub law_parameters: Vec<f64>,
+    /// Parameters of a tangential law that the oracle was given as [`TangentialLaw::Declared`].
+    pub tangential_parameters: Vec<f64>,
     /// Parameters of a rigid geometry that the oracle was given as `Declared`.
     pub geometry_parameters: Vec<f64>,
 }
@@ -62,11 +67,13 @@ impl Subject {
             orientation: 1.0,
             r0: 0.0,
             law: law(description.law.name)?,
+            tangential: tangential(description)?,
         };
         Ok(Self {
             description,
             template,
             law_parameters: vec![],
+            tangential_parameters: vec![],
             geometry_parameters: vec![CIRCLE_RADIUS],
         })
     }
@@ -79,6 +86,9 @@ impl Subject {
     /// The element's parameter list for a pair's numbers.
     pub fn parameters(&self, pair: &Pair) -> Vec<f64> {
         let mut list = self.parameters_of_law(&pair.law);
+        if let Some(tangential) = &pair.tangential {
+            list.extend(self.parameters_of_tangential(&tangential.law));
+        }
         list.push(pair.r0);
         if self.description.signed {
             list.push(pair.orientation);
@@ -102,6 +112,9 @@ impl Subject {
                 list.push(point.weight);
             }
         }
+        if let Some(Axis::Convected(w)) = pair.tangential.as_ref().and_then(|law| law.axis) {
+            list.extend(w);
+        }
         if self.description.placed {
             list.extend(placement_parameters(&pair.placement(), pair.dimension));
         }
@@ -114,6 +127,26 @@ impl Subject {
             Law::Power { eps_n, exponent } => vec![eps_n, exponent],
             Law::Barrier { kappa, distance } => vec![kappa, distance],
             Law::Declared(_) => self.law_parameters.clone(),
+        }
+    }
+
+    fn parameters_of_tangential(&self, law: &TangentialLaw) -> Vec<f64> {
+        match *law {
+            TangentialLaw::Stick { eps_t } => vec![eps_t],
+            TangentialLaw::Coulomb { eps_t, mu } => vec![eps_t, mu],
+            TangentialLaw::Adhesive {
+                eps_t,
+                mu,
+                cohesion,
+            } => vec![eps_t, mu, cohesion],
+            TangentialLaw::StaticKinetic {
+                eps_t,
+                mu_s,
+                mu_k,
+                decay,
+            } => vec![eps_t, mu_s, mu_k, decay],
+            TangentialLaw::Orthotropic { eps_t, mu } => [eps_t, mu].concat(),
+            TangentialLaw::Declared(_) => self.tangential_parameters.clone(),
         }
     }
 
@@ -156,16 +189,31 @@ impl Subject {
         }
     }
 
-    /// Projected parameters of the oracle's start as the element's history.
-    pub fn history(&self, start: &[[f64; 2]]) -> Vec<f64> {
+    /// The oracle's start and what it remembers as the element's history: per point status and projected
+    /// parameters, with friction the anchor and the path too. Nothing remembered: open.
+    pub fn history(&self, start: &[[f64; 2]], friction: &[FrictionHistory]) -> Vec<f64> {
         let descriptor = self.description.descriptor;
-        (0..descriptor.points)
-            .flat_map(|q| {
-                let start = start.get(q).or(start.first()).copied().unwrap_or([0.0; 2]);
-                let zeta = start.into_iter().take(descriptor.projected);
-                std::iter::once(0.0).chain(zeta).collect::<Vec<f64>>()
-            })
-            .collect()
+        let mut history = Vec::with_capacity(descriptor.history());
+        for q in 0..descriptor.points {
+            let start = start.get(q).or(start.first()).copied().unwrap_or([0.0; 2]);
+            let remembered = friction.get(q).copied().unwrap_or(FORGOTTEN);
+            history.push(match remembered.status {
+                Accepted::Open => 0.0,
+                Accepted::Stick => 2.0,
+                Accepted::Slip => 3.0,
+            });
+            history.extend(&start[..descriptor.projected]);
+            if descriptor.friction {
+                history.extend(&remembered.anchor[..descriptor.projected]);
+                history.push(remembered.slip);
+            }
+        }
+        history
+    }
+
+    /// The history of a configuration.
+    pub fn history_of(&self, configuration: &Configuration) -> Vec<f64> {
+        self.history(&configuration.start, &configuration.friction)
     }
 
     /// Calls the element through the C interface.
@@ -183,6 +231,7 @@ impl Subject {
             tangent: vec![UNTOUCHED; tangent],
             output: vec![UNTOUCHED; descriptor.points * OUTPUT_SIZE],
             energy: vec![UNTOUCHED; usize::from(descriptor.energy)],
+            history: vec![UNTOUCHED; descriptor.history()],
             outcome: None,
         };
         let mut workspace = vec![0.0; descriptor.workspace(nodes)];
@@ -201,7 +250,7 @@ impl Subject {
                 },
                 tangent: &mut answer.tangent,
                 output: &mut answer.output,
-                new_history: &mut [],
+                new_history: &mut answer.history,
                 energy: &mut answer.energy,
                 workspace: &mut workspace,
                 bits: wanted.bits,
@@ -211,6 +260,13 @@ impl Subject {
         answer
     }
 }
+
+/// Of a point that remembers nothing.
+const FORGOTTEN: FrictionHistory = FrictionHistory {
+    status: Accepted::Open,
+    anchor: [0.0; 2],
+    slip: 0.0,
+};
 
 /// What an entry holds that the element did not write.
 pub const UNTOUCHED: f64 = -7.25e77;
@@ -224,7 +280,7 @@ pub struct Input<'a> {
     pub displacement: &'a [f64],
     /// Parameters.
     pub parameters: &'a [f64],
-    /// History: start of the projection.
+    /// History: start of the projection; with friction anchors and paths.
     pub history: &'a [f64],
     /// Row of an interpolated slave.
     pub slave_row: &'a [f64],
@@ -261,6 +317,8 @@ pub struct Answer {
     pub output: Vec<f64>,
     /// Energy.
     pub energy: Vec<f64>,
+    /// Trial history per contact point.
+    pub history: Vec<f64>,
     /// Codes.
     pub outcome: Option<Outcome>,
 }
@@ -277,7 +335,8 @@ impl Answer {
             .residual
             .iter()
             .chain(&self.tangent)
-            .chain(&self.energy);
+            .chain(&self.energy)
+            .chain(&self.history);
         entries.all(|&value| value == UNTOUCHED)
     }
 

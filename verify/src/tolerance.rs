@@ -10,6 +10,13 @@ pub const RANDOM: f64 = 1e-12;
 /// Energy of the same states: it grows with the square of the gap, so its relative error is twice the gap's.
 pub const ENERGY: f64 = 2.0 * RANDOM;
 
+/// Output of contact points of the same states: gap and projection relative to the size of the problem, where
+/// they carry the rounding of a few coordinates; traction, weight and normal as R, which is their product.
+pub const POINTS: f64 = RANDOM;
+
+/// Steps of frictional sequences: every step hands on the rounding of its anchor; up to eight in a row.
+pub const SEQUENCES: f64 = 10.0 * RANDOM;
+
 /// Reference cases: this, or [`REFERENCE_SPREADS`] times what half an ulp of noise in the data does.
 pub const REFERENCE: f64 = 1e-13;
 /// See [`REFERENCE`].
@@ -33,12 +40,16 @@ pub const UNITS: f64 = 1e-11;
 /// K − Kᵀ of symmetric elements: the same products summed in another order.
 pub const SYMMETRY: f64 = 1e-13;
 
+/// A term that moves no entry by more than this vanishes: sines and cosines cancel to rounding.
+pub const NO_CHANGE: f64 = 1e-14;
+
 /// Derivatives in the tables (shape rows to third order, law slopes, distance gradients) against duals of
 /// the declared values, relative to the largest entry of the row block.
 pub const DERIVATIVES: f64 = 1e-12;
 
 /// Slopes of the error of `tangent_plane` elements in L, between L/16 and L/64: 1 for D²g, 2 for the
-/// whole tangent with r0 = 0.
+/// whole tangent with r0 = 0; with friction at a given force at least 1 for the whole tangent, and 1 for the
+/// balance of moment.
 pub const SLOPE: f64 = 0.05;
 
 /// A `tangent_plane` tangent that agrees this closely at L ≠ 0 means that the check sees nothing.

@@ -188,6 +188,7 @@ impl<'a> Checked<'a> {
         Target {
             unknowns,
             projected: self.element.projected,
+            friction: self.element.friction,
             f: at(request::RESIDUAL, batch.f, self.f_stride),
             k: at(request::TANGENT, batch.k, self.k_stride),
             row_stride: unknowns,

@@ -194,7 +194,7 @@ impl<'a> Checked<'a> {
             _ => return None,
         };
         let (element, last) = if gathered {
-            let known = i64::from(i32::MAX).min(self.batch.global_nodes - 1);
+            let known = i64::from(i32::MAX).min(self.batch.global_nodes.saturating_sub(1));
             (0, usize::try_from(known).unwrap_or(0))
         } else {
             let element = if element == 0 { least } else { element };

@@ -16,6 +16,8 @@ pub mod code {
     pub const NAME: i32 = -9;
     pub const VERSION: i32 = -10;
     pub const STRIDE: i32 = -11;
+    pub const HISTORY: i32 = -12;
+    pub const ELEMENT: i32 = -13;
 }
 
 /// Arguments named by errors.
@@ -47,6 +49,12 @@ pub mod argument {
     pub const CONNECTIVITY: i32 = 23;
     pub const CSR: i32 = 24;
     pub const STATUS: i32 = 25;
+    pub const FROM: i32 = 26;
+    pub const FROM_OUTPUT: i32 = 27;
+    pub const FROM_HISTORY: i32 = 28;
+    pub const TO: i32 = 29;
+    pub const TO_OUTPUT: i32 = 30;
+    pub const TO_HISTORY: i32 = 31;
 }
 
 /// Request bits.

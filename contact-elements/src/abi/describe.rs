@@ -260,14 +260,20 @@ pub unsafe fn element_history_init(element: *const Descriptor, history: *mut f64
     if history.is_null() {
         return code::NULL;
     }
-    let size = 1 + element.projected;
+    let size = element.point_history();
     for point in 0..element.points {
         // SAFETY: promised by the caller.
         unsafe {
             let entry = history.add(point * size);
+            for k in 0..size {
+                *entry.add(k) = 0.0;
+            }
             *entry = f64::from(Status::Open as i32);
             for (i, &centre) in element.centre.iter().take(element.projected).enumerate() {
                 *entry.add(1 + i) = centre;
+                if element.friction {
+                    *entry.add(1 + element.projected + i) = centre;
+                }
             }
         }
     }

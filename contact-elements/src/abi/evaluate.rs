@@ -62,6 +62,7 @@ pub(super) fn fault_of(error: InputError) -> Fault {
         InputError::Position(node) => (code::NOT_FINITE, argument::X, node),
         InputError::Displacement(node) => (code::NOT_FINITE, argument::U, node),
         InputError::History(entry) => (code::NOT_FINITE, argument::HISTORY_OLD, entry),
+        InputError::Impossible(entry) => (code::HISTORY, argument::HISTORY_OLD, entry),
         InputError::SlaveRow(entry) => (code::NOT_FINITE, argument::SLAVE_ROW, entry),
         InputError::Workspace => (code::WORKSPACE, argument::WORKSPACE, 0),
         InputError::Point(failure) => (code::CUT_BACK, argument::X, failure.point),
@@ -333,6 +334,7 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
     Ok(Target {
         unknowns,
         projected: element.projected,
+        friction: element.friction,
         f: if_wanted(request::RESIDUAL, arguments.f),
         k: if_wanted(request::TANGENT, arguments.k),
         row_stride,

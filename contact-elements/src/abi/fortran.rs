@@ -2,6 +2,7 @@
 
 use super::describe::{element_get, element_history_init, element_info, write};
 use super::evaluate::element_evaluate;
+use super::transfer::history_transfer;
 use super::types::{Arguments, Info};
 use super::{Descriptor, argument, code};
 use crate::runtime::workspace;
@@ -9,7 +10,7 @@ use crate::runtime::workspace;
 /// Slave nodes of an interpolated element that this interface has scratch for.
 const MOST_SLAVES: usize = 64;
 /// Scratch for those and a master of up to 16 nodes in 3D.
-const SCRATCH: usize = workspace(MOST_SLAVES + 16, 3, 2);
+const SCRATCH: usize = workspace(MOST_SLAVES + 16, 3, 2, true);
 
 /// The element behind an index.
 ///
@@ -194,48 +195,35 @@ pub unsafe fn history_init(
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::abi::request;
-    use crate::elements::PointPoint2d;
-
-    /// Two discs of radius 1 at distance 1.5: return code and residual.
-    fn evaluate_discs(request: u32, ldk: i32) -> (i32, [f64; 4]) {
-        let (x, parameters) = ([0.0, 0.0, 1.5, 0.0], [10.0, 2.0]);
-        let (mut f, mut k, mut history) = ([0.0; 4], [0.0; 16], [0.0]);
-        let (mut status, mut result) = (-1, -1);
-        let (index, nodes, request, count) = (0, 2, request as i32, 2);
-        let nothing = core::ptr::null_mut::<f64>();
-        // SAFETY: every array has the shape that the header gives.
-        unsafe {
-            evaluate(
-                &[PointPoint2d::DESCRIPTOR],
-                (&index, &request, &nodes, &0),
-                (x.as_ptr(), nothing),
-                (parameters.as_ptr(), &count),
-                (nothing, history.as_mut_ptr()),
-                nothing,
-                (f.as_mut_ptr(), k.as_mut_ptr(), &ldk),
-                (nothing, nothing),
-                (&raw mut status, &raw mut result),
-            );
+/// `CTE_F77_HISTORY_TRANSFER`.
+///
+/// # Safety
+/// All addresses are valid for the shapes that the header gives.
+pub unsafe fn transfer(
+    elements: &[&'static Descriptor],
+    (from, from_output, from_history): (*const i32, *const f64, *const f64),
+    (to, to_output, to_history): (*const i32, *const f64, *mut f64),
+    (fault, result): (*mut i32, *mut i32),
+) {
+    // SAFETY: promised by the caller.
+    unsafe {
+        let pair = [element(elements, from), element(elements, to)];
+        let names = [argument::FROM, argument::TO];
+        if let Some((_, &name)) = pair.iter().zip(&names).find(|(e, _)| e.is_null()) {
+            write(fault, name);
+            write(result, code::INDEX);
+            return;
         }
-        (result, f)
-    }
-
-    #[test]
-    fn the_leading_dimension_matters_only_with_a_tangent() {
-        let with_tangent = request::RESIDUAL | request::TANGENT;
-        let (result, expected) = evaluate_discs(with_tangent, 4);
-        assert_eq!(result, code::SUCCESS);
-        assert!(expected[0] != 0.0);
-        for ldk in [-1, 0, 1, 3] {
-            assert_eq!(evaluate_discs(with_tangent, ldk).0, code::STRIDE);
-            assert_eq!(
-                evaluate_discs(request::RESIDUAL, ldk),
-                (code::SUCCESS, expected)
-            );
-        }
+        let [from, to] = pair;
+        let code = history_transfer(
+            from,
+            from_output,
+            from_history,
+            to,
+            to_output,
+            to_history,
+            fault,
+        );
+        write(result, code);
     }
 }

@@ -31,6 +31,12 @@ fn code_text(value: i32) -> &'static str {
         code::NAME => "no element of that name: see cte_element_get\0",
         code::VERSION => "the library has another major version than the header\0",
         code::STRIDE => "strides are negative, let entries overlap or reach beyond any memory\0",
+        code::HISTORY => {
+            "an entry of a history that no evaluation writes: no status, an anchor far outside, a negative slip path, or not that of the output\0"
+        }
+        code::ELEMENT => {
+            "the element has no tangential law, or another dimension or number of projected parameters\0"
+        }
         _ => "not a return code of this library\0",
     }
 }
@@ -40,6 +46,8 @@ pub fn status_message(value: i32) -> *const u8 {
     let text = match value {
         0 => "open\0",
         1 => "closed\0",
+        2 => "stick: in contact, held by its anchor\0",
+        3 => "slip: in contact, sliding\0",
         4 => "outside: the projection lies beyond an edge or vertex of the master\0",
         5 => "not converged: the projection did not converge from its start\0",
         6 => "not unique: focal surface, axis or parallel tangents\0",
@@ -83,6 +91,12 @@ fn argument_text(value: i32) -> &'static str {
         argument::CONNECTIVITY => "connectivity\0",
         argument::CSR => "csr_values, csr_map\0",
         argument::STATUS => "status\0",
+        argument::FROM => "from\0",
+        argument::FROM_OUTPUT => "from_output\0",
+        argument::FROM_HISTORY => "from_history\0",
+        argument::TO => "to\0",
+        argument::TO_OUTPUT => "to_output\0",
+        argument::TO_HISTORY => "to_history\0",
         _ => "unknown\0",
     }
 }

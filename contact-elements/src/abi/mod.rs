@@ -14,6 +14,7 @@ mod messages;
 mod safe;
 mod sizes;
 mod target;
+mod transfer;
 mod types;
 
 pub use batch::{element_batch_workspace, element_evaluate_batch};
@@ -27,6 +28,7 @@ pub use evaluate::element_evaluate;
 pub use messages::{argument_name, code_message, element_message, status_message};
 pub use safe::{Evaluation, Outcome, evaluate};
 pub use target::Target;
+pub use transfer::{history_transfer, transfer};
 pub use types::{ApiTable, Arguments, Batch, Info};
 
 use crate::runtime::{Call, InputError, Nodes, Summary};
@@ -35,7 +37,7 @@ use crate::runtime::{Call, InputError, Nodes, Summary};
 pub const VERSION: u32 = 1 << 16;
 
 /// Doubles of output per contact point.
-pub const OUTPUT_SIZE: usize = 11;
+pub const OUTPUT_SIZE: usize = 19;
 
 /// The compiled kernel of an element.
 pub type Kernel = fn(&Call<'_>, &Nodes<'_>, &mut [f64], &mut Target) -> Result<Summary, InputError>;
@@ -76,6 +78,8 @@ pub struct Descriptor {
     pub projected: usize,
     /// Parameters.
     pub parameters: &'static [Parameter],
+    /// True where the element has a tangential law.
+    pub friction: bool,
     /// True where K is symmetric.
     pub symmetric: bool,
     /// True where the element offers a tangent.
@@ -95,9 +99,19 @@ pub struct Descriptor {
 }
 
 impl Descriptor {
+    /// Doubles of history of one contact point: status and projected parameters; with friction the anchor and
+    /// the slip path too.
+    pub fn point_history(&self) -> usize {
+        if self.friction {
+            2 + 2 * self.projected
+        } else {
+            1 + self.projected
+        }
+    }
+
     /// Doubles of history.
     pub fn history(&self) -> usize {
-        self.points * (1 + self.projected)
+        self.points * self.point_history()
     }
 
     /// Node and component of an unknown.
@@ -122,7 +136,7 @@ impl Descriptor {
     /// Doubles of workspace for `n` nodes.
     pub fn workspace(&self, n: usize) -> usize {
         if self.interpolated {
-            crate::runtime::workspace(n, self.dimension, self.projected)
+            crate::runtime::workspace(n, self.dimension, self.projected, self.friction)
         } else {
             0
         }

@@ -3,7 +3,7 @@
 use super::evaluate::element_evaluate;
 use super::fortran::blank;
 use super::types::Arguments;
-use super::{Descriptor, OUTPUT_SIZE, code, request};
+use super::{Descriptor, OUTPUT_SIZE, argument, code, request};
 use crate::runtime::Status;
 
 /// Inputs and outputs of one evaluation. Shapes: unknowns = nodes · dimension, node by node.
@@ -15,7 +15,8 @@ pub struct Evaluation<'a> {
     pub u: &'a [f64],
     /// Parameters.
     pub parameters: &'a [f64],
-    /// Accepted history; empty: the projection starts from the centre.
+    /// Accepted history; empty: the projection starts from the centre, and with friction contact begins here:
+    /// no tangential force.
     pub history: &'a [f64],
     /// Interpolated slaves: shape row and weight.
     pub slave_row: &'a [f64],
@@ -23,9 +24,9 @@ pub struct Evaluation<'a> {
     pub residual: &'a mut [f64],
     /// Tangent [unknowns · unknowns], row-major; empty: not wanted.
     pub tangent: &'a mut [f64],
-    /// Output [points · 11]; empty: not wanted.
+    /// Output [points · [`OUTPUT_SIZE`]]; empty: not wanted.
     pub output: &'a mut [f64],
-    /// New history; empty: not wanted.
+    /// Trial history; empty: not wanted. Copied to `history` when the step is accepted.
     pub new_history: &'a mut [f64],
     /// Energy \[1\]; empty: not wanted.
     pub energy: &'a mut [f64],
@@ -50,8 +51,8 @@ pub struct Outcome {
     pub index: i32,
 }
 
-/// Evaluates `element`. Lengths that do not fit give the code and argument that a C host would get for a
-/// null pointer.
+/// Evaluates `element`. Slices that are too short give the code and argument that a C host would get for a
+/// required pointer that is null; [`code::NODE_COUNT`] for an interpolated slave without a row.
 pub fn evaluate(element: &Descriptor, evaluation: &mut Evaluation<'_>) -> Outcome {
     let d = element.dimension;
     let nslave = if element.interpolated {
@@ -61,6 +62,15 @@ pub fn evaluate(element: &Descriptor, evaluation: &mut Evaluation<'_>) -> Outcom
     };
     let n = element.nodes(nslave);
     let unknowns = n * d;
+    // a null pointer would stand for zero displacements or a start at the centre
+    for (slice, length, name) in [
+        (evaluation.u, unknowns, argument::U),
+        (evaluation.history, element.history(), argument::HISTORY_OLD),
+    ] {
+        if !slice.is_empty() && slice.len() < length {
+            return too_short(name);
+        }
+    }
     let mut arguments = blank();
     arguments.nnode = n as i32;
     arguments.nslave = nslave as i32;
@@ -106,6 +116,17 @@ fn input(slice: &[f64], length: usize) -> *const f64 {
     }
 }
 
+/// The outcome of a slice that is shorter than it must be.
+fn too_short(argument: i32) -> Outcome {
+    Outcome {
+        code: code::NULL,
+        status: Status::Open as i32,
+        closed: 0,
+        argument,
+        index: 0,
+    }
+}
+
 fn finish(element: &Descriptor, arguments: &mut Arguments) -> Outcome {
     // SAFETY: every pointer is null or a slice of the length that the header asks for.
     let code = unsafe { element_evaluate(element, arguments) };
@@ -127,6 +148,8 @@ impl Outcome {
         [
             Status::Open,
             Status::Closed,
+            Status::Stick,
+            Status::Slip,
             Status::Outside,
             Status::NotConverged,
             Status::NotUnique,

@@ -10,6 +10,8 @@ use crate::runtime::{Receiver, Report};
 pub struct Target {
     pub(super) unknowns: usize,
     pub(super) projected: usize,
+    /// True where the history holds anchor and slip path.
+    pub(super) friction: bool,
     pub(super) f: *mut f64,
     pub(super) k: *mut f64,
     pub(super) row_stride: usize,
@@ -58,8 +60,27 @@ impl Target {
         }
     }
 
+    /// Writes a row through strides, a map or into a sparse matrix.
+    // a call: it would be repeated in every kernel
+    #[inline(never)]
+    fn strided_row(&self, unknown: usize, row: &[f64], first: bool) {
+        if !self.k.is_null() {
+            let start = self.host(unknown) * self.row_stride;
+            for (column, &value) in row.iter().enumerate() {
+                let value = self.k_scale * value;
+                // SAFETY: k has an entry for every pair of host rows.
+                unsafe {
+                    let entry = self.k.add(start + self.host(column) * self.column_stride);
+                    *entry = if first { value } else { *entry + value };
+                }
+            }
+        }
+        if !self.csr_values.is_null() {
+            self.scatter_row(unknown, row);
+        }
+    }
+
     /// Adds to the host's sparse row.
-    #[inline(always)]
     fn scatter_row(&self, unknown: usize, row: &[f64]) {
         for (column, &value) in row.iter().enumerate() {
             // SAFETY: csr_map has unknowns² entries for this element, made by `csr_map` for these values.
@@ -67,6 +88,25 @@ impl Target {
                 let at = *self.csr_map.add(unknown * self.unknowns + column) as usize;
                 *self.csr_values.add(at) += self.k_scale * value;
             }
+        }
+    }
+
+    /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too.
+    fn new_history(&mut self, point: usize, report: &Report) {
+        let p = self.projected;
+        let size = if self.friction { 2 + 2 * p } else { 1 + p };
+        // SAFETY: the history has `size` entries per point.
+        let entries = unsafe { core::slice::from_raw_parts(self.history.add(point * size), size) };
+        let status = [f64::from(report.status as i32)];
+        let zeta = report.zeta.iter().take(p);
+        let anchor = report.anchor.iter().take(p);
+        let values = status
+            .iter()
+            .chain(zeta)
+            .chain(anchor)
+            .chain([&report.path]);
+        for (entry, &value) in entries.iter().zip(values) {
+            entry.set(value);
         }
     }
 
@@ -93,6 +133,7 @@ impl Target {
 }
 
 impl Receiver for Target {
+    #[inline(never)]
     fn open(&mut self, unknowns: usize) {
         for i in 0..unknowns {
             // SAFETY: f has an entry for every host row, k for every pair of them.
@@ -132,28 +173,23 @@ impl Receiver for Target {
 
     #[inline(always)]
     fn row(&mut self, unknown: usize, row: &[f64], first: bool) {
-        if !self.k.is_null() && self.map.is_null() && self.column_stride == 1 {
+        if !self.k.is_null()
+            && self.map.is_null()
+            && self.column_stride == 1
+            && self.csr_values.is_null()
+        {
             self.dense_row(unknown, row, first);
-        } else if !self.k.is_null() {
-            let start = self.host(unknown) * self.row_stride;
-            for (column, &value) in row.iter().enumerate() {
-                let value = self.k_scale * value;
-                // SAFETY: k has an entry for every pair of host rows.
-                unsafe {
-                    let entry = self.k.add(start + self.host(column) * self.column_stride);
-                    *entry = if first { value } else { *entry + value };
-                }
-            }
-        }
-        if !self.csr_values.is_null() {
-            self.scatter_row(unknown, row);
+        } else {
+            self.strided_row(unknown, row, first);
         }
     }
 
+    #[inline(never)]
     fn report(&mut self, point: usize, report: &Report) {
         if !self.output.is_null() {
             let [first, second] = report.zeta;
             let [x, y, z] = report.normal;
+            let [b, c] = report.tangents;
             let values: [f64; OUTPUT_SIZE] = [
                 f64::from(report.status as i32),
                 report.gap,
@@ -166,6 +202,14 @@ impl Receiver for Target {
                 z,
                 f64::from(report.iterations),
                 f64::from(report.feature),
+                report.tangential[0],
+                report.tangential[1],
+                b[0],
+                b[1],
+                b[2],
+                c[0],
+                c[1],
+                c[2],
             ];
             // SAFETY: output has OUTPUT_SIZE entries per point.
             unsafe {
@@ -174,14 +218,7 @@ impl Receiver for Target {
             }
         }
         if !self.history.is_null() {
-            let size = 1 + self.projected;
-            // SAFETY: the history has `size` entries per point.
-            let entries =
-                unsafe { core::slice::from_raw_parts(self.history.add(point * size), size) };
-            let status = f64::from(report.status as i32);
-            for (entry, value) in entries.iter().zip([status].into_iter().chain(report.zeta)) {
-                entry.set(value);
-            }
+            self.new_history(point, report);
         }
     }
 

@@ -161,6 +161,15 @@ pub struct ApiTable {
     pub argument_name: unsafe extern "C" fn(i32) -> *const u8,
     pub element_message:
         unsafe extern "C" fn(*const Descriptor, *const Arguments, i32, *mut u8, i32) -> i32,
+    pub history_transfer: unsafe extern "C" fn(
+        *const Descriptor,
+        *const f64,
+        *const f64,
+        *const Descriptor,
+        *const f64,
+        *mut f64,
+        *mut i32,
+    ) -> i32,
 }
 
 /// True where the caller's struct is at least as large as `T`.
@@ -178,5 +187,5 @@ const _: () = {
     assert!(size_of::<Info>() == 152);
     assert!(size_of::<Arguments>() == 312);
     assert!(size_of::<Batch>() == 336);
-    assert!(size_of::<ApiTable>() == 136);
+    assert!(size_of::<ApiTable>() == 144);
 };

@@ -4,9 +4,11 @@ use core::cell::Cell;
 
 use super::driver::Stage;
 use super::element::Element;
-use super::projection::project;
+use super::friction::TangentialLaw;
+use super::projection::{largest, project};
 use super::receiver::Call;
 use super::shape::{NormalLaw, Traction};
+use super::sliding::{Sliding, slide};
 use super::values::{Gap, Status, Vectors};
 use crate::arithmetic::abs;
 
@@ -27,20 +29,20 @@ pub(super) struct Point<const D: usize, const P: usize, const H: usize> {
 #[inline(always)]
 pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
-    stage: &mut Stage<'_, D, P>,
+    stage: &mut Stage<'_, D, P, H>,
     number: usize,
+    sliding: &mut Sliding<P>,
 ) -> Result<Point<D, P, H>, Status> {
     load_slave::<E, D, P, H>(call, stage, number);
     let history = call
         .history
-        .and_then(|history| history.get(number * (1 + P)..));
+        .and_then(|history| history.get(number * E::HISTORY..));
     let given = call.wanted.projection_given;
     let projected = project::<E, D, P, H>(
         stage.x,
         start::<E, D, P, H>(history),
         given,
         call.parameters,
-        stage.scale,
         &mut stage.rows,
     )?;
     let mut point = Point {
@@ -52,7 +54,7 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         law: Traction::default(),
         iterations: projected.iterations,
     };
-    if !E::SIGNED && is_zero(&point.vectors.r, stage.scale) {
+    if !E::SIGNED && is_zero(&point.vectors.r, largest(stage.x)) {
         return Err(Status::Degenerate);
     }
     if !E::is_regular(number, stage.x, &point.vectors, call.parameters) {
@@ -68,12 +70,15 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
     }
     let gap = point.gap.gap;
     let closed = match (call.wanted.freeze, history) {
-        (true, Some(history)) => history.first().map(Cell::get) == Some(1.0),
+        (true, Some(history)) => is_load(history.first()),
         _ => E::Law::active(gap, call.parameters) > 0.0,
     };
     if closed {
         point.status = Status::Closed;
         point.law = law::<E, D, P, H>(gap, call.parameters)?;
+        if E::Tangential::ACTIVE {
+            *sliding = slide::<E, D, P, H>(call, stage.x, number, &mut point)?;
+        }
         if call.wanted.tangent && !has_derivatives(&point.vectors) {
             return Err(Status::Degenerate);
         }
@@ -81,6 +86,12 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         point.status = Status::Open;
     }
     Ok(point)
+}
+
+/// Closed, stick or slip.
+#[inline(always)]
+fn is_load(status: Option<&Cell<f64>>) -> bool {
+    status.is_some_and(|status| status.get() >= 1.0 && status.get() <= 3.0)
 }
 
 /// Where the search begins: at the last projection, or at the centre.
@@ -160,7 +171,7 @@ pub(super) fn orientation<E: Element<D, P, H>, const D: usize, const P: usize, c
 #[inline(always)]
 pub(super) fn load_slave<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
-    stage: &mut Stage<'_, D, P>,
+    stage: &mut Stage<'_, D, P, H>,
     number: usize,
 ) {
     if E::SLAVE_NODES == 0 {

@@ -5,6 +5,7 @@
 //! halving until r·r falls. A minimum held by a bound is the outcome "outside" with that feature.
 
 use super::element::Element;
+use super::extent::limited;
 use super::projection::{Projected, step};
 use super::shape::Domain;
 use super::values::{Rows, Status, Vectors, dot};
@@ -19,6 +20,17 @@ const ON_BOUND: f64 = 1e-13;
 /// Steps below this, relative to the extent, end the search.
 const SMALL_STEP: f64 = 1e-9;
 
+/// The kinematics, as a call: the search is rare, so its size counts more than its time.
+#[inline(never)]
+fn kinematics<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    x: &[[f64; D]],
+    zeta: &[f64; P],
+    parameters: &[f64],
+    rows: &mut Rows<'_, P>,
+) -> Vectors<D, P, H> {
+    E::kinematics(x, zeta, parameters, rows)
+}
+
 /// Searches the domain from `start`.
 #[cold]
 #[inline(never)]
@@ -27,14 +39,13 @@ pub(super) fn constrained<E: Element<D, P, H>, const D: usize, const P: usize, c
     start: [f64; P],
     extent: &[f64; P],
     parameters: &[f64],
-    scale: f64,
     rows: &mut Rows<'_, P>,
 ) -> Result<Projected<D, P, H>, Status> {
     let mut zeta = inside::<E, D, P, H>(start);
-    let mut vectors = E::kinematics(x, &zeta, parameters, rows);
+    let mut vectors = kinematics::<E, D, P, H>(x, &zeta, parameters, rows);
     for iteration in 1..=MOST_STEPS {
         let held = held::<E, D, P, H>(&zeta, &vectors, extent);
-        let change = descent::<E, D, P, H>(&vectors, &held, scale);
+        let change = descent::<E, D, P, H>(&vectors, &held);
         let taken = search::<E, D, P, H>(
             x,
             &mut zeta,
@@ -56,7 +67,7 @@ pub(super) fn constrained<E: Element<D, P, H>, const D: usize, const P: usize, c
                 feature,
             });
         }
-        return polish::<E, D, P, H>(x, (zeta, extent), parameters, (scale, iteration), rows);
+        return polish::<E, D, P, H>(x, (zeta, extent), parameters, iteration, rows);
     }
     Err(Status::NotConverged)
 }
@@ -66,18 +77,18 @@ fn polish<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     x: &[[f64; D]],
     (mut zeta, extent): ([f64; P], &[f64; P]),
     parameters: &[f64],
-    (scale, iterations): (f64, u32),
+    iterations: u32,
     rows: &mut Rows<'_, P>,
 ) -> Result<Projected<D, P, H>, Status> {
-    let mut vectors = E::kinematics(x, &zeta, parameters, rows);
+    let mut vectors = kinematics::<E, D, P, H>(x, &zeta, parameters, rows);
     for _ in 0..3 {
-        let change = step::<E, D, P, H>(&vectors, scale)?.change;
+        let change = step::<E, D, P, H>(&vectors)?.change;
         for i in 0..P {
-            zeta[i] += change[i].clamp(-extent[i], extent[i]);
+            zeta[i] += limited(change[i], extent[i]);
         }
-        vectors = E::kinematics(x, &zeta, parameters, rows);
+        vectors = kinematics::<E, D, P, H>(x, &zeta, parameters, rows);
     }
-    step::<E, D, P, H>(&vectors, scale)?;
+    step::<E, D, P, H>(&vectors)?;
     Ok(Projected {
         zeta,
         vectors,
@@ -182,12 +193,11 @@ fn held<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
 fn descent<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     vectors: &Vectors<D, P, H>,
     held: &Held<P>,
-    scale: f64,
 ) -> [f64; P] {
     let Vectors { r, b, second } = vectors;
     let mut change = [0.0; P];
     if held.count == 0 {
-        if let Ok(newton) = step::<E, D, P, H>(vectors, scale) {
+        if let Ok(newton) = step::<E, D, P, H>(vectors) {
             return newton.change;
         }
         if P == 2 {
@@ -263,10 +273,10 @@ fn search<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     for _ in 0..MOST_HALVINGS {
         let mut trial = *zeta;
         for i in 0..P {
-            trial[i] += (factor * change[i]).clamp(-extent[i], extent[i]);
+            trial[i] += limited(factor * change[i], extent[i]);
         }
         let trial = inside::<E, D, P, H>(trial);
-        let candidate = E::kinematics(x, &trial, parameters, rows);
+        let candidate = kinematics::<E, D, P, H>(x, &trial, parameters, rows);
         if dot(&candidate.r, &candidate.r) < before {
             let mut size: f64 = 0.0;
             for i in 0..P {
@@ -277,7 +287,7 @@ fn search<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         }
         factor *= 0.5;
     }
-    *vectors = E::kinematics(x, zeta, parameters, rows);
+    *vectors = kinematics::<E, D, P, H>(x, zeta, parameters, rows);
     0.0
 }
 

@@ -9,6 +9,7 @@
 //! Nodes are loops; per row of K two multiply-adds remain for every entry.
 
 use super::driver::Receiver;
+use super::lanes::Lanes;
 use super::values::Coefficients;
 
 /// Scratch of the contraction: vectors over all unknowns, each at least as long as their number.
@@ -44,101 +45,100 @@ pub fn contract<R: Receiver, const D: usize, const P: usize>(
     temporaries: &mut Temporaries<'_, D, P>,
     receiver: &mut R,
 ) {
+    // taken out: an index that runs over fields of the scratch would keep all of it, nodes included, in memory
+    let u = temporaries.u.each_mut().map(|row| &mut **row);
+    let g = temporaries.g.each_mut().map(|row| &mut **row);
+    let (h, row) = (&mut *temporaries.h, &mut *temporaries.row);
     let unknowns = s.len() * D;
+    let width = row.len();
     for k in 0..D {
         let factors = core::array::from_fn(|j| coefficients.right[j][k]);
         let turn = moving.then_some(&factors);
-        factor(
-            temporaries.u[k],
-            temporaries.h,
-            s,
-            ds,
-            &coefficients.p[k],
-            n,
-            turn,
-        );
-        for (u, &m) in temporaries.u[k].iter_mut().zip(measure) {
+        factor(u[k], width, s, ds, &coefficients.p[k], n, turn);
+        for (u, &m) in u[k].iter_mut().zip(measure) {
             *u += n[k] * m;
         }
     }
     if moving {
         for j in 0..P {
             let turn = Some(&coefficients.s[j]);
-            factor(
-                temporaries.g[j],
-                temporaries.h,
-                s,
-                ds,
-                &coefficients.left[j],
-                n,
-                turn,
-            );
+            factor(g[j], width, s, ds, &coefficients.left[j], n, turn);
         }
     }
     for (a, &s_a) in s.iter().enumerate() {
         if moving {
-            combine(temporaries.h, &temporaries.g, ds, a);
+            combine(h, &g, ds, a);
         }
         for k in 0..D {
             if moving {
-                let pairs = temporaries.u[k].iter().zip(temporaries.h.iter());
-                for (row, (&u, &h)) in temporaries.row.iter_mut().zip(pairs) {
+                let pairs = u[k].iter().zip(h.iter());
+                for (row, (&u, &h)) in row.iter_mut().zip(pairs) {
                     *row = s_a * u + n[k] * h;
                 }
             } else {
-                for (row, &u) in temporaries.row.iter_mut().zip(temporaries.u[k].iter()) {
+                for (row, &u) in row.iter_mut().zip(u[k].iter()) {
                     *row = s_a * u;
                 }
             }
-            receiver.row(
-                a * D + k,
-                temporaries.row.get(..unknowns).unwrap_or(&[]),
-                first,
-            );
+            receiver.row(a * D + k, row.get(..unknowns).unwrap_or(&[]), first);
         }
     }
 }
 
-/// to(B,l) = s_B v_l + (Σ_j s_B,j turn_j) n_l; `sums`: scratch for the sums of the nodes.
+/// to(B,l) = s_B v_l + (Σ_j s_B,j turn_j) n_l for the first `width` unknowns.
 #[inline(always)]
 fn factor<const D: usize, const P: usize>(
     to: &mut [f64],
-    sums: &mut [f64],
+    width: usize,
     s: &[f64],
     ds: [&[f64]; P],
     v: &[f64; D],
     n: &[f64; D],
     turn: Option<&[f64; P]>,
 ) {
-    let (blocks, _) = to.as_chunks_mut::<D>();
-    let Some(turn) = turn else {
-        for (block, &s_b) in blocks.iter_mut().zip(s) {
-            for l in 0..D {
-                block[l] = s_b * v[l];
-            }
-        }
+    let (v, n) = (padded(v, 0), padded(n, 0));
+    let Some(to) = to.get_mut(..width) else {
         return;
     };
-    combine_rows(sums, ds, turn);
-    for (block, (&s_b, &sum)) in blocks.iter_mut().zip(s.iter().zip(sums.iter())) {
-        for l in 0..D {
-            block[l] = s_b * v[l] + sum * n[l];
+    for quad in 0..width.div_ceil(4) {
+        // of every four nodes
+        let (first, part) = (4 * (quad / D), quad % D);
+        let s_b = padded(s, first).of_nodes::<D>(part);
+        let mut value = s_b.times(v.of_components::<D>(part));
+        if let Some(turn) = turn {
+            let sum = combination(ds.map(|row| padded(row, first)), turn);
+            let sum = sum.of_nodes::<D>(part);
+            value = value.plus(sum.times(n.of_components::<D>(part)));
+        }
+        let rest = to.get_mut(4 * quad..).unwrap_or(&mut []);
+        if let Some(lanes) = rest.first_chunk_mut::<4>() {
+            value.store(lanes);
+        } else {
+            let mut lanes = [0.0; 4];
+            value.store(&mut lanes);
+            for (to, value) in rest.iter_mut().zip(lanes) {
+                *to = value;
+            }
         }
     }
 }
 
-/// sums_B = Σ_j s_B,j turn_j
+/// Σ_j s_B,j turn_j
 #[inline(always)]
-fn combine_rows<const P: usize>(sums: &mut [f64], ds: [&[f64]; P], turn: &[f64; P]) {
-    if P == 1 {
-        for (sum, &d) in sums.iter_mut().zip(ds[0]) {
-            *sum = d * turn[0];
-        }
-    } else if P == 2 {
-        for (sum, (&d0, &d1)) in sums.iter_mut().zip(ds[0].iter().zip(ds[1])) {
-            *sum = d0 * turn[0] + d1 * turn[1];
-        }
+fn combination<const P: usize>(ds: [Lanes; P], turn: &[f64; P]) -> Lanes {
+    let mut sum = Lanes::splat(0.0);
+    for j in 0..P {
+        let term = ds[j].times(Lanes::splat(turn[j]));
+        sum = if j == 0 { term } else { sum.plus(term) };
     }
+    sum
+}
+
+/// Four entries from `first` on, 0 beyond the last.
+#[inline(always)]
+fn padded(values: &[f64], first: usize) -> Lanes {
+    let at = |l: usize| values.get(first + l).copied().unwrap_or(0.0);
+    Lanes::new([at(0), at(1), at(2), at(3)])
 }
 
 /// h = Σ_j s_A,j g_j
@@ -155,6 +155,96 @@ fn combine<const P: usize>(h: &mut [f64], g: &[&mut [f64]; P], ds: [&[f64]; P], 
         let pairs = g[0].iter().zip(g[1].iter());
         for (h, (&g0, &g1)) in h.iter_mut().zip(pairs) {
             *h = f0 * g0 + f1 * g1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Coefficients, Temporaries, contract};
+    use crate::runtime::{Receiver, Report};
+
+    const MOST: usize = 40;
+
+    struct Matrix([[f64; MOST]; MOST]);
+
+    impl Receiver for Matrix {
+        fn open(&mut self, _: usize) {}
+        fn force(&mut self, _: (usize, usize), _: f64, _: bool) {}
+        fn row(&mut self, unknown: usize, row: &[f64], _: bool) {
+            self.0[unknown][..row.len()].copy_from_slice(row);
+        }
+        fn report(&mut self, _: usize, _: &Report) {}
+        fn energy(&mut self, _: f64) {}
+    }
+
+    /// Every entry against [eq:contraction]; `spare`: places of the scratch beyond the unknowns.
+    fn check<const D: usize, const P: usize>(nodes: usize, spare: usize) {
+        let mut seed = 1.0;
+        let mut number = || {
+            seed = (seed * 7.77 + 0.123) % 1.9;
+            seed - 0.9
+        };
+        let s: [f64; MOST] = core::array::from_fn(|_| number());
+        let ds: [[f64; MOST]; P] = core::array::from_fn(|_| core::array::from_fn(|_| number()));
+        let n: [f64; D] = core::array::from_fn(|_| number());
+        let mut c = Coefficients::<D, P>::default();
+        let vectors = c.p.iter_mut().chain(&mut c.right).chain(&mut c.left);
+        vectors.flatten().for_each(|entry| *entry = number());
+        c.s.iter_mut().flatten().for_each(|entry| *entry = number());
+        let [mut u, mut g] = [[[0.0; MOST]; 3]; 2];
+        let [mut h, mut row] = [[0.0; MOST]; 2];
+        let width = nodes * D + spare;
+        let mut scratch = Temporaries {
+            u: core::array::from_fn(|_| &mut [] as &mut [f64]),
+            g: core::array::from_fn(|_| &mut [] as &mut [f64]),
+            h: &mut h[..width],
+            row: &mut row[..width],
+        };
+        for (to, from) in scratch.u.iter_mut().zip(&mut u) {
+            *to = &mut from[..width];
+        }
+        for (to, from) in scratch.g.iter_mut().zip(&mut g) {
+            *to = &mut from[..width];
+        }
+        let mut k = Matrix([[0.0; MOST]; MOST]);
+        let rows = core::array::from_fn(|j| &ds[j][..nodes]);
+        contract(
+            &s[..nodes],
+            rows,
+            &n,
+            &c,
+            &[],
+            true,
+            true,
+            &mut scratch,
+            &mut k,
+        );
+        for (i, j) in (0..nodes * D).flat_map(|i| (0..nodes * D).map(move |j| (i, j))) {
+            let (a, r, b, l) = (i / D, i % D, j / D, j % D);
+            let mut entry = s[a] * s[b] * c.p[r][l];
+            for e in 0..P {
+                entry +=
+                    s[a] * ds[e][b] * c.right[e][r] * n[l] + n[r] * ds[e][a] * s[b] * c.left[e][l];
+                for f in 0..P {
+                    entry += ds[e][a] * ds[f][b] * c.s[e][f] * n[r] * n[l];
+                }
+            }
+            assert!(
+                (k.0[i][j] - entry).abs() < 1e-14,
+                "{D} {P} {nodes} {spare}: {i} {j}"
+            );
+        }
+    }
+
+    #[test]
+    fn rows_are_the_contraction() {
+        for nodes in 1..=12 {
+            for spare in [0, 1, 3] {
+                check::<3, 2>(nodes, spare);
+                check::<3, 1>(nodes, spare);
+                check::<2, 1>(nodes, spare);
+            }
         }
     }
 }

@@ -6,25 +6,28 @@
 use super::classify::{Point, classify, load_slave, orientation};
 use super::contraction::{Temporaries, contract};
 use super::element::Element;
+use super::friction::TangentialLaw;
 use super::placement::Placement;
 pub(super) use super::receiver::{Call, Failure, Receiver, Report, Summary};
+use super::sliding::{self, Sliding};
+use super::tangential::TangentialRows;
 use super::values::{Coefficients, Rows, Status};
 
 /// Nodes and scratch of an evaluation; see [`kernel`](super::fixed) for who makes them.
 #[derive(Debug)]
-pub struct Stage<'a, const D: usize, const P: usize> {
+pub struct Stage<'a, const D: usize, const P: usize, const H: usize> {
     /// Positions in the local frame, slave nodes first.
     pub x: &'a [[f64; D]],
     /// Reference positions of the slave nodes, for the reference measure.
     pub reference: &'a [[f64; D]],
-    /// Largest local coordinate.
-    pub scale: f64,
     /// Rows s_A, s_A,i; zero on entry.
     pub rows: Rows<'a, P>,
     /// Scratch of the contraction.
     pub temporaries: Temporaries<'a, D, P>,
     /// w N ∂J/∂x, where the measure moves.
     pub variation: &'a mut [f64],
+    /// Rows of tangential contact.
+    pub tangential: TangentialRows<'a, P, H>,
 }
 
 /// Evaluates an element with Q contact points.
@@ -38,15 +41,16 @@ pub fn evaluate<
     const Q: usize,
 >(
     call: &Call<'_>,
-    stage: &mut Stage<'_, D, P>,
+    stage: &mut Stage<'_, D, P, H>,
     receiver: &mut R,
 ) -> Result<Summary, Failure> {
     if Q == 1 {
         return evaluate_one::<E, R, D, P, H>(call, stage, receiver);
     }
     let mut points = [None; Q];
-    for (number, slot) in points.iter_mut().enumerate() {
-        match classify::<E, D, P, H>(call, stage, number) {
+    let mut slidings = [Sliding::default(); Q];
+    for (number, (slot, sliding)) in points.iter_mut().zip(&mut slidings).enumerate() {
+        match classify::<E, D, P, H>(call, stage, number, sliding) {
             Ok(point) => *slot = Some(point),
             Err(status) => {
                 return Err(Failure {
@@ -62,12 +66,12 @@ pub fn evaluate<
         closed: 0,
     };
     let mut energy = 0.0;
-    for (number, point) in points.iter().enumerate() {
+    for (number, (point, sliding)) in points.iter().zip(&slidings).enumerate() {
         let Some(point) = point else { continue };
         if point.status.rank() > summary.status.rank() {
             summary.status = point.status;
         }
-        if point.status == Status::Closed {
+        if point.status.is_closed() {
             let first = summary.closed == 0;
             let again = Q > 1;
             energy += closed::<E, R, D, P, H>(
@@ -75,12 +79,13 @@ pub fn evaluate<
                 stage,
                 receiver,
                 &placement,
-                point,
+                (point, sliding),
                 (number, first, again),
             );
             summary.closed += 1;
         } else {
-            receiver.report(number, &report(point, &placement, 0.0, 0.0));
+            let report = report(point, sliding, &placement, 0.0, 0.0);
+            receiver.report(number, &report);
         }
     }
     if summary.closed == 0 {
@@ -100,21 +105,23 @@ fn evaluate_one<
     const H: usize,
 >(
     call: &Call<'_>,
-    stage: &mut Stage<'_, D, P>,
+    stage: &mut Stage<'_, D, P, H>,
     receiver: &mut R,
 ) -> Result<Summary, Failure> {
-    let point = match classify::<E, D, P, H>(call, stage, 0) {
+    let mut sliding = Sliding::default();
+    let point = match classify::<E, D, P, H>(call, stage, 0, &mut sliding) {
         Ok(point) => point,
         Err(status) => return Err(Failure { status, point: 0 }),
     };
     let placement = placement::<E, D, P, H>(call.parameters);
     let mut energy = 0.0;
-    let is_closed = point.status == Status::Closed;
+    let is_closed = point.status.is_closed();
     if is_closed {
         let pass = (0, true, false);
-        energy = closed::<E, R, D, P, H>(call, stage, receiver, &placement, &point, pass);
+        let point = (&point, &sliding);
+        energy = closed::<E, R, D, P, H>(call, stage, receiver, &placement, point, pass);
     } else {
-        receiver.report(0, &report(&point, &placement, 0.0, 0.0));
+        receiver.report(0, &report(&point, &sliding, &placement, 0.0, 0.0));
         receiver.open(stage.x.len() * D);
     }
     receiver.energy(energy);
@@ -137,10 +144,10 @@ fn placement<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize
 #[inline(always)]
 fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
-    stage: &mut Stage<'_, D, P>,
+    stage: &mut Stage<'_, D, P, H>,
     receiver: &mut R,
     placement: &Option<Placement<D>>,
-    point: &Point<D, P, H>,
+    (point, state): (&Point<D, P, H>, &Sliding<P>),
     (number, first, again): (usize, bool, bool),
 ) -> f64 {
     if again {
@@ -160,19 +167,28 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
                 receiver.force((a, k), pull * s * n[k], first);
             }
         }
+        if E::Tangential::ACTIVE {
+            let place = (&n, weight);
+            sliding::residual::<E, R, D, P, H>(stage, placement, point, state, place, receiver);
+        }
     }
     if call.wanted.tangent {
-        tangent::<E, R, D, P, H>(call, stage, receiver, placement, point, (&n, weight, first));
+        let point = (point, state);
+        let pass = (number, &n, weight, first);
+        tangent::<E, R, D, P, H>(call, stage, receiver, placement, point, pass);
     }
-    receiver.report(number, &report(point, placement, law.traction, weight));
-    weight * law.energy
+    receiver.report(
+        number,
+        &report(point, state, placement, law.traction, weight),
+    );
+    weight * (law.energy + state.tangential.energy)
 }
 
 /// The point's own weight: of the caller, or of the slave's area.
 #[inline(always)]
 fn weight<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
-    stage: &mut Stage<'_, D, P>,
+    stage: &mut Stage<'_, D, P, H>,
     number: usize,
 ) -> f64 {
     if E::SLAVE_NODES == 0 {
@@ -192,20 +208,25 @@ fn weight<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
 #[inline(always)]
 fn tangent<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
-    stage: &mut Stage<'_, D, P>,
+    stage: &mut Stage<'_, D, P, H>,
     receiver: &mut R,
     placement: &Option<Placement<D>>,
-    point: &Point<D, P, H>,
-    (n, weight, first): (&[f64; D], f64, bool),
+    (point, state): (&Point<D, P, H>, &Sliding<P>),
+    (number, n, weight, first): (usize, &[f64; D], f64, bool),
 ) {
     let orientation = orientation::<E, D, P, H>(call.parameters);
-    let coefficients = E::tangent(
+    let mut coefficients = E::tangent(
         &point.vectors,
         &point.gap,
         &point.law,
         call.parameters,
         orientation,
     );
+    let joins = sliding::joins::<E, D, P, H>();
+    if E::Tangential::ACTIVE && joins {
+        let place = (number, point, state);
+        sliding::join::<E, D, P, H>(call, stage.x, place, &mut coefficients);
+    }
     let coefficients = in_global_frame(coefficients, placement, weight);
     let variation: &[f64] = if E::CURRENT {
         scale_variation(stage.variation, point.law.traction, placement);
@@ -224,13 +245,17 @@ fn tangent<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, con
         &mut stage.temporaries,
         receiver,
     );
+    if E::Tangential::ACTIVE && !joins {
+        let place = (number, point, n, weight);
+        sliding::tangent::<E, R, D, P, H>(call, stage, placement, state, place, receiver);
+    }
 }
 
-/// N w ∂J/∂x in the global frame.
+/// `factor` w ∂J/∂x in the global frame.
 #[inline(always)]
-fn scale_variation<const D: usize>(
+pub(super) fn scale_variation<const D: usize>(
     variation: &mut [f64],
-    traction: f64,
+    factor: f64,
     placement: &Option<Placement<D>>,
 ) {
     let (blocks, _) = variation.as_chunks_mut::<D>();
@@ -239,7 +264,7 @@ fn scale_variation<const D: usize>(
             *block = placement.vector_to_global(block);
         }
         for entry in block {
-            *entry *= traction;
+            *entry *= factor;
         }
     }
 }
@@ -272,6 +297,7 @@ fn in_global_frame<const D: usize, const P: usize>(
 #[inline(always)]
 fn report<const D: usize, const P: usize, const H: usize>(
     point: &Point<D, P, H>,
+    state: &Sliding<P>,
     placement: &Option<Placement<D>>,
     traction: f64,
     weight: f64,
@@ -289,7 +315,23 @@ fn report<const D: usize, const P: usize, const H: usize>(
         zeta: [0.0; 2],
         normal: [0.0; 3],
         iterations: point.iterations,
+        tangential: state.tangential.t,
+        tangents: [[0.0; 3]; 2],
+        anchor: [0.0; 2],
+        path: state.path,
     };
+    for (to, b) in report.tangents.iter_mut().zip(&point.vectors.b) {
+        let b = match placement {
+            Some(placement) => placement.vector_to_global(b),
+            None => *b,
+        };
+        for (to, from) in to.iter_mut().zip(b) {
+            *to = from;
+        }
+    }
+    for (to, &from) in report.anchor.iter_mut().zip(&state.anchor) {
+        *to = from;
+    }
     for (to, &from) in report.zeta.iter_mut().zip(&point.zeta) {
         *to = from;
     }

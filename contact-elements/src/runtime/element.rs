@@ -1,7 +1,9 @@
 //! The contract between the emitted code of an element and the driver.
 
+use super::friction::{Tangential, TangentialLaw};
 use super::shape::{Domain, NormalLaw, Traction};
-use super::values::{Coefficients, Gap, Measure, Rows, Status, Vectors};
+use super::tangential::{TangentialCoefficients, TangentialForce};
+use super::values::{Coefficients, Frame, Gap, Measure, Rows, Status, Vectors};
 use crate::arithmetic::abs;
 
 /// How the projection is found.
@@ -15,9 +17,11 @@ pub enum Search {
     Closed,
 }
 
-/// Where the groups of parameters begin in an element's list; the law's come first.
+/// Where the groups of parameters begin in an element's list; the normal law's come first.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
+    /// Tangential law.
+    pub tangential: usize,
     /// Offset r0.
     pub r0: usize,
     /// Orientation ±1 (0 stands for +1), with a signed gap.
@@ -30,6 +34,8 @@ pub struct Layout {
     pub slave_weights: usize,
     /// Parameters of the integration point and its weight, where given at run time.
     pub point: usize,
+    /// Components w^i of a convected axis.
+    pub axis: Option<usize>,
     /// Placement of a rigid geometry.
     pub placement: Option<usize>,
     /// Number of parameters.
@@ -50,6 +56,8 @@ pub fn can_divide<const N: usize>(divisors: &[f64; N], least: f64) -> bool {
 pub trait Element<const D: usize, const P: usize, const H: usize> {
     /// Normal law; its parameters come first.
     type Law: NormalLaw;
+    /// Tangential law.
+    type Tangential: TangentialLaw;
     /// Parameter list.
     const LAYOUT: Layout;
     /// How the projection is found.
@@ -66,10 +74,21 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     const SLAVE_NODES: usize;
     /// Master nodes; 0: rigid.
     const MASTER_NODES: usize;
+    /// True where the slave's tangent is an axis of the tangential law.
+    const SLAVE_AXIS: bool;
+    /// Periods of the parameters that a closed projection gives up to whole turns; 0: none.
+    const PERIODS: [f64; 2];
     /// Domains of the projected parameters: slave curve first where both are projected.
     const DOMAINS: [Domain; 2];
     /// What parallel tangents mean: degenerate for a facet, not unique for two curves.
     const PARALLEL: Status;
+
+    /// Doubles of history per contact point: status and ζ; with friction the anchor and the slip path too.
+    const HISTORY: usize = if Self::Tangential::ACTIVE {
+        2 + 2 * P
+    } else {
+        1 + P
+    };
 
     /// Start of the projection where none is given.
     const START: [f64; 2] = if Self::TWO_CURVES {
@@ -158,6 +177,64 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
         parameters: &[f64],
         orientation: f64,
     ) -> Coefficients<D, P>;
+
+    /// Frame and slip of a point whose parameters moved by ζ − ζ_st since the anchor. [eq:frame] [eq:slip]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn frame(
+        point: usize,
+        x: &[[f64; D]],
+        vectors: &Vectors<D, P, H>,
+        gap: &Gap<D>,
+        moved: &[f64; P],
+        parameters: &[f64],
+    ) -> Frame<P> {
+        Frame::default()
+    }
+
+    /// Coefficients of the tangential residual. [eq:tangential-residual]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn tangential_force(
+        vectors: &Vectors<D, P, H>,
+        gap: &Gap<D>,
+        frame: &Frame<P>,
+        tangential: &Tangential,
+    ) -> TangentialForce<D, P> {
+        TangentialForce::default()
+    }
+
+    /// r_,111, r_,112, r_,122, r_,222; fills the rows s_A,ij of the nodes.
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn higher(
+        x: &[[f64; D]],
+        zeta: &[f64; P],
+        parameters: &[f64],
+        second: &mut [&mut [f64]; H],
+    ) -> [[f64; D]; 4] {
+        [[0.0; D]; 4]
+    }
+
+    /// Writes the row of the slave's tangent, where it is an axis.
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn slave_direction(point: usize, parameters: &[f64], row: &mut [f64]) {}
+
+    /// Coefficients of the tangential tangent; `slope`: N'. [eq:tangential-tangent]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn tangential_tangent(
+        (point, x): (usize, &[[f64; D]]),
+        vectors: &Vectors<D, P, H>,
+        gap: &Gap<D>,
+        frame: &Frame<P>,
+        third: &[[f64; D]; 4],
+        (tangential, slope): (&Tangential, f64),
+        parameters: &[f64],
+    ) -> TangentialCoefficients<D, P, H> {
+        TangentialCoefficients::default()
+    }
 
     /// Weight times Jacobian of a point. `reference`, `x`: reference and current slave nodes. The rows
     /// of the measure's variation go to `variation` (per slave unknown) where it moves.

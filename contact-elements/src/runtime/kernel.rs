@@ -1,39 +1,15 @@
-//! From coordinates anywhere in memory to an evaluation: gather, local origin, scratch.
+//! From coordinates anywhere in memory to an evaluation: checks, scratch.
 
 use core::cell::Cell;
 
 use super::contraction::Temporaries;
 use super::driver::{Call, Failure, Receiver, Stage, Summary, evaluate};
 use super::element::Element;
-use super::placement::Placement;
+use super::friction::TangentialLaw;
+use super::gather::{Nodes, gather, is_usable, shift_of_row};
+use super::tangential::TangentialRows;
 use super::values::{Rows, Status};
 use crate::arithmetic::abs;
-
-/// Where the coordinates of the nodes stand.
-#[derive(Clone, Copy, Debug)]
-pub struct Coordinates<'a> {
-    /// The array.
-    pub values: &'a [f64],
-    /// Position of node 0 (unused with a connectivity).
-    pub offset: usize,
-    /// Distance from node to node.
-    pub node_stride: usize,
-    /// Distance from component to component.
-    pub component_stride: usize,
-}
-
-/// The nodes of one element.
-#[derive(Clone, Copy, Debug)]
-pub struct Nodes<'a> {
-    /// Reference coordinates.
-    pub x: Coordinates<'a>,
-    /// Displacements; none: zero.
-    pub u: Option<Coordinates<'a>>,
-    /// Numbers of the nodes in the arrays; none: 0, 1, 2 …
-    pub connectivity: Option<&'a [i32]>,
-    /// Number of nodes.
-    pub count: usize,
-}
 
 /// An input that cannot be used: which array, which node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +20,8 @@ pub enum InputError {
     Displacement(usize),
     /// Entry of the history.
     History(usize),
+    /// Entry of the history that no evaluation writes: no status, an anchor far outside, a negative path.
+    Impossible(usize),
     /// Entry of the slave row.
     SlaveRow(usize),
     /// The workspace is too small.
@@ -59,219 +37,45 @@ impl From<Failure> for InputError {
     }
 }
 
-/// Largest magnitude of a coordinate [length].
-const LARGEST: f64 = 1e30;
+/// An anchor is at most this many extents from the middle of a bounded domain.
+const FARTHEST: f64 = 1e3;
 
-/// True for finite values within the supported magnitude; looks at the bits only, so that a signalling
-/// NaN raises nothing.
+/// The number of a status.
 #[inline(always)]
-pub(crate) fn is_usable(value: f64) -> bool {
-    (value.to_bits() & !(1 << 63)) <= LARGEST.to_bits()
+pub(crate) fn is_status(value: f64) -> bool {
+    (0.0..=8.0).contains(&value) && f64::from(value as u8) == value
 }
 
-/// Negative as an integer for values that are not usable.
+/// Finite numbers; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
+/// that is not negative.
 #[inline(always)]
-fn room(value: f64) -> u64 {
-    LARGEST.to_bits().wrapping_sub(value.to_bits() & !(1 << 63))
-}
-
-impl Coordinates<'_> {
-    /// The first `count` nodes, where they stand one after another.
-    #[inline(always)]
-    fn dense<const D: usize>(&self, count: usize) -> Option<&[f64]> {
-        if self.component_stride == 1 && self.node_stride == D {
-            self.values.get(self.offset..)?.get(..count * D)
-        } else {
-            None
-        }
-    }
-
-    #[inline(always)]
-    fn node<const D: usize>(&self, node: usize) -> Option<[f64; D]> {
-        let start = self.offset + node * self.node_stride;
-        if self.component_stride == 1 {
-            return self.values.get(start..)?.first_chunk::<D>().copied();
-        }
-        let mut value = [0.0; D];
-        for (k, value) in value.iter_mut().enumerate() {
-            *value = *self.values.get(start + k * self.component_stride)?;
-        }
-        Some(value)
-    }
-}
-
-impl Nodes<'_> {
-    /// Checks all coordinates of the first `count` nodes before anything is computed with them.
-    #[inline(always)]
-    fn check<const D: usize>(&self, count: usize) -> Result<(), InputError> {
-        let mut signs = 0;
-        if let (None, None, Some(block)) = (&self.u, self.connectivity, self.x.dense::<D>(count)) {
-            for &value in block {
-                signs |= room(value);
-            }
-        } else {
-            for a in 0..count {
-                for value in self.reference::<D>(a)? {
-                    signs |= room(value);
-                }
-                for value in self.displacement::<D>(a)? {
-                    signs |= room(value);
-                }
-            }
-        }
-        if signs >> 63 == 0 {
-            Ok(())
-        } else {
-            Err(self.first_unusable::<D>(count))
-        }
-    }
-
-    /// What [`Nodes::check`] found.
-    #[cold]
-    fn first_unusable<const D: usize>(&self, count: usize) -> InputError {
-        let unusable = |value: [f64; D]| !value.into_iter().all(is_usable);
-        for a in 0..count {
-            if self.reference(a).is_ok_and(unusable) {
-                return InputError::Position(a);
-            }
-            if self.displacement(a).is_ok_and(unusable) {
-                return InputError::Displacement(a);
-            }
-        }
-        InputError::Position(0)
-    }
-
-    #[inline(always)]
-    fn reference<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
-        self.number(a)
-            .and_then(|node| self.x.node(node))
-            .ok_or(InputError::Position(a))
-    }
-
-    #[inline(always)]
-    fn displacement<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
-        match &self.u {
-            None => Ok([0.0; D]),
-            Some(u) => self
-                .number(a)
-                .and_then(|node| u.node(node))
-                .ok_or(InputError::Displacement(a)),
-        }
-    }
-
-    #[inline(always)]
-    fn number(&self, a: usize) -> Option<usize> {
-        match self.connectivity {
-            None => Some(a),
-            Some(list) => usize::try_from(*list.get(a)?).ok(),
-        }
-    }
-}
-
-/// Gathers the nodes relative to a local origin: the first slave node, or the frame of a placed geometry.
-/// Differences are taken of reference coordinates and of displacements apart, so that nothing is lost far
-/// from the origin. [eq:local-origin] Returns the largest local coordinate, and the origin in the local frame.
-#[inline(always)]
-fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    nodes: &Nodes<'_>,
-    parameters: &[f64],
-    is_vector: impl Fn(usize) -> bool,
-    x: &mut [[f64; D]],
-    reference: &mut [[f64; D]],
-) -> Result<(f64, [f64; D]), InputError> {
-    nodes.check::<D>(x.len())?;
-    let placement: Option<Placement<D>> = E::LAYOUT
-        .placement
-        .map(|at| Placement::from_parameters(parameters.get(at..).unwrap_or(&[])));
-    let rigid = E::MASTER_NODES == 0;
-    let (mut origin, mut shift) = ([0.0; D], [0.0; D]);
-    if let Some(placement) = &placement {
-        origin = placement.origin;
-    } else if !rigid {
-        origin = nodes.reference(0)?;
-        shift = nodes.displacement(0)?;
-    }
-    let mut scale: f64 = 0.0;
-    for (a, local) in x.iter_mut().enumerate() {
-        let position: [f64; D] = nodes.reference(a)?;
-        let displacement: [f64; D] = nodes.displacement(a)?;
-        let is_vector = is_vector(a);
-        let mut value = [0.0; D];
-        if is_vector {
-            for k in 0..D {
-                value[k] = position[k] + displacement[k];
-            }
-        } else if a > 0 || rigid {
-            for k in 0..D {
-                value[k] = position[k] - origin[k];
-            }
-            if nodes.u.is_some() {
-                for k in 0..D {
-                    value[k] += displacement[k] - shift[k];
-                }
-            }
-        }
-        if let Some(reference) = reference.get_mut(a) {
-            for k in 0..D {
-                reference[k] = if is_vector {
-                    position[k]
-                } else {
-                    position[k] - origin[k]
-                };
-            }
-        }
-        *local = match &placement {
-            Some(placement) => placement.vector_to_local(&value),
-            None => value,
-        };
-        for k in 0..D {
-            scale = larger(scale, abs(local[k]));
-        }
-    }
-    for k in 0..D {
-        origin[k] += shift[k];
-    }
-    if let Some(placement) = &placement {
-        origin = placement.vector_to_local(&origin);
-    }
-    Ok((scale, origin))
-}
-
-/// The larger of two numbers, neither of them NaN.
-#[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
-}
-
-#[inline(always)]
-fn check_history(history: &[Cell<f64>]) -> Result<(), InputError> {
+fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    history: &[Cell<f64>],
+) -> Result<(), InputError> {
     for (index, value) in history.iter().enumerate() {
         if !is_usable(value.get()) {
             return Err(InputError::History(index));
         }
     }
-    Ok(())
-}
-
-/// A slave row need not sum to one (hierarchical shape functions): Σ N_A x_A − o differs from
-/// Σ N_A (x_A − o) by (Σ N_A − 1) o, which the node of the largest entry takes over. [eq:row-sum]
-#[inline(always)]
-fn shift_of_row<const D: usize>(slave_row: &[f64], origin: &[f64; D], x: &mut [[f64; D]]) {
-    let Some((_, row)) = slave_row.split_last() else {
-        return;
-    };
-    let mut excess = -1.0;
-    let mut largest: f64 = 0.0;
-    for &entry in row {
-        excess += entry;
-        largest = largest.max(abs(entry));
+    if !E::Tangential::ACTIVE {
+        return Ok(());
     }
-    let node = row.iter().zip(x).find(|(entry, _)| abs(**entry) >= largest);
-    if let (Some((&entry, x)), true) = (node, largest > 1e-30) {
-        for k in 0..D {
-            x[k] += excess * origin[k] / entry;
+    for (index, value) in history.iter().enumerate() {
+        let value = value.get();
+        let possible = match index % E::HISTORY {
+            0 => is_status(value),
+            entry if entry <= P => true,
+            entry if entry <= 2 * P => {
+                let i = entry - 1 - P;
+                abs(value - E::centre()[i]) <= FARTHEST * E::extent(i)
+            }
+            _ => value >= 0.0,
+        };
+        if !possible {
+            return Err(InputError::Impossible(index));
         }
     }
+    Ok(())
 }
 
 /// Kernel of an element with N nodes and Q points; W ≥ D·N is the length of the scratch rows.
@@ -292,22 +96,23 @@ pub fn fixed<
     receiver: &mut R,
 ) -> Result<Summary, InputError> {
     if let Some(history) = call.history {
-        check_history(history)?;
+        check_history::<E, D, P, H>(history)?;
     }
     let mut x = [[0.0; D]; N];
     let mut reference = [[0.0; D]; N];
     let is_vector = |a: usize| vectors.get(a).copied().unwrap_or(false);
-    let (scale, _) =
-        gather::<E, D, P, H>(nodes, call.parameters, is_vector, &mut x, &mut reference)?;
+    gather::<E, D, P, H>(nodes, call.parameters, is_vector, &mut x, &mut reference)?;
     let mut s = [0.0; N];
     let mut ds = [[0.0; N]; P];
     let mut u = [[0.0; W]; D];
     let mut g = [[0.0; W]; P];
     let (mut h, mut row, mut variation) = ([0.0; W], [0.0; W], [0.0; W]);
+    let mut second = [[0.0; N]; H];
+    let (mut slave, mut cross, mut whole) = ([0.0; N], [0.0; N], [0.0; W]);
+    let [mut z, mut p, mut q] = [[[0.0; W]; P]; 3];
     let mut stage = Stage {
         x: &x,
         reference: &reference,
-        scale,
         rows: Rows {
             s: &mut s,
             ds: ds.each_mut().map(|row| row.as_mut_slice()),
@@ -319,14 +124,28 @@ pub fn fixed<
             row: &mut row,
         },
         variation: &mut variation,
+        tangential: TangentialRows {
+            second: second.each_mut().map(|row| row.as_mut_slice()),
+            slave: &mut slave,
+            cross: &mut cross,
+            z: z.each_mut().map(|row| row.as_mut_slice()),
+            p: p.each_mut().map(|row| row.as_mut_slice()),
+            g: q.each_mut().map(|row| row.as_mut_slice()),
+            row: &mut whole,
+        },
     };
     Ok(evaluate::<E, R, D, P, H, Q>(call, &mut stage, receiver)?)
 }
 
 /// Doubles of workspace that `interpolated` needs for `n` nodes.
 #[inline]
-pub const fn workspace(n: usize, d: usize, p: usize) -> usize {
-    n * d + n * (1 + p) + n * d * (d + p + 2)
+pub const fn workspace(n: usize, d: usize, p: usize, friction: bool) -> usize {
+    let tangential = if friction {
+        n * (p * (p + 1) / 2 + 2) + n * d * (3 * p + 1)
+    } else {
+        0
+    };
+    n * d + n * (1 + p) + n * d * (d + p + 2) + tangential
 }
 
 /// Kernel of an element whose slave row is handed in: scratch comes from `memory`.
@@ -345,7 +164,7 @@ pub fn interpolated<
     receiver: &mut R,
 ) -> Result<Summary, InputError> {
     if let Some(history) = call.history {
-        check_history(history)?;
+        check_history::<E, D, P, H>(history)?;
     }
     for (index, &value) in call.slave_row.iter().enumerate() {
         if !is_usable(value) {
@@ -354,7 +173,7 @@ pub fn interpolated<
     }
     let n = nodes.count;
     let mut rest = memory
-        .get_mut(..workspace(n, D, P))
+        .get_mut(..workspace(n, D, P, E::Tangential::ACTIVE))
         .ok_or(InputError::Workspace)?;
     for value in rest.iter_mut() {
         *value = 0.0;
@@ -372,6 +191,20 @@ pub fn interpolated<
     let u = core::array::from_fn(|_| take(n * D));
     let g = core::array::from_fn(|_| take(n * D));
     let (h, row) = (take(n * D), take(n * D));
+    let (nodes_more, unknowns_more) = if E::Tangential::ACTIVE {
+        (n, n * D)
+    } else {
+        (0, 0)
+    };
+    let tangential = TangentialRows {
+        second: core::array::from_fn(|_| take(nodes_more)),
+        slave: take(nodes_more),
+        cross: take(nodes_more),
+        z: core::array::from_fn(|_| take(unknowns_more)),
+        p: core::array::from_fn(|_| take(unknowns_more)),
+        g: core::array::from_fn(|_| take(unknowns_more)),
+        row: take(unknowns_more),
+    };
     let first_master = n.saturating_sub(E::MASTER_NODES);
     let is_vector = |a: usize| {
         let master = a.checked_sub(first_master);
@@ -380,15 +213,15 @@ pub fn interpolated<
             .copied()
             .unwrap_or(false)
     };
-    let (scale, origin) = gather::<E, D, P, H>(nodes, call.parameters, is_vector, x, &mut [])?;
+    let origin = gather::<E, D, P, H>(nodes, call.parameters, is_vector, x, &mut [])?;
     shift_of_row(call.slave_row, &origin, x);
     let mut stage = Stage {
         x,
         reference: &[],
-        scale,
         rows: Rows { s, ds },
         temporaries: Temporaries { u, g, h, row },
         variation: &mut [],
+        tangential,
     };
     Ok(evaluate::<E, R, D, P, H, 1>(call, &mut stage, receiver)?)
 }

@@ -223,6 +223,101 @@ pub fn curve_to_rigid<S: Shape<1, 1, NS>, M: Rigid<D, 1, 1>, const D: usize, con
     vectors
 }
 
+/// r_,ijk of [`onto_shape`]; fills the rows s_A,ij of the master.
+#[inline(always)]
+pub fn onto_shape_higher<
+    G: Shape<P, H, N>,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+    const N: usize,
+>(
+    x: &[[f64; D]],
+    zeta: &[f64; P],
+    weights: &[f64],
+    second: &mut [&mut [f64]; H],
+) -> [[f64; D]; 4] {
+    let mut third = [[0.0; D]; 4];
+    let rows = G::rows(zeta, weights);
+    for h in 0..H {
+        if let Some(to) = second[h].last_chunk_mut::<N>() {
+            *to = negated(&rows.d2[h]);
+        }
+    }
+    if let Some(x) = x.last_chunk::<N>() {
+        for (to, row) in third.iter_mut().zip(&G::third(zeta, weights)) {
+            if !vanishes(row) {
+                *to = combination(&negated(row), x);
+            }
+        }
+    }
+    third
+}
+
+/// r_,ijk of [`onto_rigid`].
+#[inline(always)]
+pub fn onto_rigid_higher<G: Rigid<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    zeta: &[f64; P],
+    parameters: &[f64],
+) -> [[f64; D]; 4] {
+    G::third(zeta, parameters).map(|vector| vector.map(|value| -value))
+}
+
+/// r_,ijk of [`curve_to_curve`]; fills the rows s_A,11 of the slave and s_A,22 of the master.
+#[inline(always)]
+pub fn curve_to_curve_higher<
+    S: Shape<1, 1, NS>,
+    M: Shape<1, 1, NM>,
+    const D: usize,
+    const NS: usize,
+    const NM: usize,
+>(
+    x: &[[f64; D]],
+    zeta: &[f64; 2],
+    (slave_weights, master_weights): (&[f64], &[f64]),
+    second: &mut [&mut [f64]; 3],
+) -> [[f64; D]; 4] {
+    let mut third = [[0.0; D]; 4];
+    let slave = S::rows(&[zeta[0]], slave_weights);
+    let master = M::rows(&[zeta[1]], master_weights);
+    if let Some(to) = second[0].first_chunk_mut::<NS>() {
+        *to = slave.d2[0];
+    }
+    if let Some(to) = second[2].last_chunk_mut::<NM>() {
+        *to = negated(&master.d2[0]);
+    }
+    if let (Some(xs), Some(xm)) = (x.first_chunk::<NS>(), x.last_chunk::<NM>()) {
+        third[0] = combination(&S::third(&[zeta[0]], slave_weights)[0], xs);
+        third[3] = combination(&negated(&M::third(&[zeta[1]], master_weights)[0]), xm);
+    }
+    third
+}
+
+/// r_,ijk of [`curve_to_rigid`]; fills the row s_A,11 of the slave.
+#[inline(always)]
+pub fn curve_to_rigid_higher<
+    S: Shape<1, 1, NS>,
+    M: Rigid<D, 1, 1>,
+    const D: usize,
+    const NS: usize,
+>(
+    x: &[[f64; D]],
+    zeta: &[f64; 2],
+    (slave_weights, parameters): (&[f64], &[f64]),
+    second: &mut [&mut [f64]; 3],
+) -> [[f64; D]; 4] {
+    let mut third = [[0.0; D]; 4];
+    let slave = S::rows(&[zeta[0]], slave_weights);
+    if let Some(to) = second[0].first_chunk_mut::<NS>() {
+        *to = slave.d2[0];
+    }
+    if let Some(xs) = x.first_chunk::<NS>() {
+        third[0] = combination(&S::third(&[zeta[0]], slave_weights)[0], xs);
+    }
+    third[3] = M::third(&[zeta[1]], parameters)[0].map(|value| -value);
+    third
+}
+
 /// t_i = Σ N_A,i x_A: tangents of the slave at an integration point.
 #[inline(always)]
 pub fn slave_tangents<const D: usize, const P: usize, const N: usize>(

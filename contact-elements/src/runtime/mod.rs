@@ -14,25 +14,40 @@ mod constrained;
 mod contraction;
 mod driver;
 mod element;
+mod extent;
+mod friction;
+mod gather;
 mod kernel;
 mod kinematics;
+mod lanes;
 mod placement;
 mod projection;
 mod receiver;
 mod shape;
+mod sliding;
+mod tangential;
+mod transfer;
 mod values;
 
 pub use contraction::{Temporaries, contract};
 pub use driver::{Stage, evaluate};
 pub use element::{Element, Layout, Search, can_divide};
-pub(crate) use kernel::is_usable;
-pub use kernel::{Coordinates, InputError, Nodes, fixed, interpolated, workspace};
+pub use friction::{Friction, Frictionless, Tangential, TangentialLaw};
+pub(crate) use gather::is_usable;
+pub use gather::{Coordinates, Nodes};
+pub(crate) use kernel::is_status;
+pub use kernel::{InputError, fixed, interpolated, workspace};
 pub use kinematics::{
-    curve_to_curve, curve_to_rigid, onto_point, onto_rigid, onto_shape, slave_point,
-    slave_tangents, spread_variation,
+    curve_to_curve, curve_to_curve_higher, curve_to_rigid, curve_to_rigid_higher, onto_point,
+    onto_rigid, onto_rigid_higher, onto_shape, onto_shape_higher, slave_point, slave_tangents,
+    spread_variation,
 };
 pub use placement::Placement;
 pub use projection::{Projected, project};
 pub use receiver::{Call, Failure, Receiver, Report, Summary, Wanted};
 pub use shape::{Distance, Domain, NormalLaw, Rigid, Shape, Traction};
-pub use values::{Coefficients, Gap, Measure, Rows, ShapeRows, Status, Vectors, dot};
+pub use tangential::{
+    Form, TangentialCoefficients, TangentialForce, TangentialRows, contract_tangential,
+};
+pub use transfer::TangentPlane;
+pub use values::{Coefficients, Frame, Gap, Measure, Rows, ShapeRows, Status, Vectors, dot};

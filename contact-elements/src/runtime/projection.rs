@@ -7,8 +7,9 @@
 
 use super::constrained::constrained;
 use super::element::{Element, Search};
+use super::extent::{limited, measure_endless, nearest_integer};
 use super::values::{Rows, Status, Vectors, dot};
-use crate::arithmetic::{abs, sqrt};
+use crate::arithmetic::abs;
 
 /// A converged projection.
 #[derive(Clone, Copy, Debug)]
@@ -27,46 +28,65 @@ pub struct Projected<const D: usize, const P: usize, const H: usize> {
 const MOST_STEPS: u32 = 40;
 /// Tangents count as parallel, and F as singular, below this sine or relative determinant.
 const SINGULAR: f64 = 1e-13;
+/// Tangents count as nearly parallel below this sine.
+const SHARP: f64 = 1e-2;
 /// Lengths below this are zero [length].
-const SMALLEST: f64 = 1e-30;
+pub(super) const SMALLEST: f64 = 1e-30;
 
 /// Projects the slave's point, whose row already stands in `rows`.
-///
-/// `scale`: largest coordinate relative to the local origin, for the rounding error of f.
 #[inline(always)]
 pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     x: &[[f64; D]],
     start: [f64; P],
     given: bool,
     parameters: &[f64],
-    scale: f64,
     rows: &mut Rows<'_, P>,
 ) -> Result<Projected<D, P, H>, Status> {
     let mut zeta = start;
     if matches!(E::SEARCH, Search::Closed) && !given {
         zeta = E::closed_projection(&super::slave_point(x, rows.s, 0), parameters);
+        for (i, zeta) in zeta.iter_mut().enumerate() {
+            let period = E::PERIODS[i];
+            if period > 0.0 {
+                *zeta += period * nearest_integer((start[i] - *zeta) / period);
+            }
+        }
     }
     let mut iterations = 0;
-    let mut is_free = true;
+    let (mut is_free, mut is_checked) = (true, false);
+    let mut known = None;
     let mut extent = core::array::from_fn(E::extent);
     if P > 0 && !given && !matches!(E::SEARCH, Search::Closed) {
-        match newton::<E, D, P, H>(x, parameters, scale, rows, &mut zeta, &mut extent) {
-            Ok(steps) => iterations = steps,
+        match newton::<E, D, P, H>(x, parameters, rows, &mut zeta, &mut extent) {
+            Ok(found) => {
+                iterations = found.iterations;
+                is_checked = found.is_checked;
+                known = found.vectors;
+            }
             Err(Status::Degenerate) => return Err(Status::Degenerate),
             // beyond an edge the free stationary point need not exist
             Err(_) => is_free = false,
         }
     }
-    let vectors = E::kinematics(x, &zeta, parameters, rows);
-    if P > 0 && is_free {
-        match step::<E, D, P, H>(&vectors, scale) {
+    // fills the rows; its sums are left out where the vectors are known
+    let summed = E::kinematics(x, &zeta, parameters, rows);
+    let vectors = known.unwrap_or(summed);
+    if P > 0 && is_free && !is_checked {
+        match step::<E, D, P, H>(&vectors) {
             Ok(_) => {}
             Err(Status::NotUnique) if iterations > 0 => is_free = false,
             Err(status) => return Err(status),
         }
     }
     if !is_free {
-        return apart::<E, D, P, H>(x, start, &extent, parameters, scale, rows);
+        let found = apart::<E, D, P, H>(x, start, &extent, parameters, rows)?;
+        // once more here: what a call leaves in memory would have every other path go through memory
+        return Ok(Projected {
+            zeta: found.zeta,
+            vectors: E::kinematics(x, &found.zeta, parameters, rows),
+            iterations: found.iterations,
+            feature: found.feature,
+        });
     }
     Ok(Projected {
         zeta,
@@ -84,13 +104,12 @@ fn apart<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     start: [f64; P],
     extent: &[f64; P],
     parameters: &[f64],
-    scale: f64,
     rows: &mut Rows<'_, P>,
 ) -> Result<Projected<D, P, H>, Status> {
     const ROOM: usize = 32;
     let n = x.len();
     if n > ROOM {
-        return constrained::<E, D, P, H>(x, start, extent, parameters, scale, rows);
+        return constrained::<E, D, P, H>(x, start, extent, parameters, rows);
     }
     let mut nodes = [[0.0; D]; ROOM];
     let mut s = [0.0; ROOM];
@@ -104,63 +123,79 @@ fn apart<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
             .each_mut()
             .map(|row| row.get_mut(..n).unwrap_or_default()),
     };
-    let found =
-        constrained::<E, D, P, H>(&nodes[..n], start, extent, parameters, scale, &mut copies);
-    copy(&s, rows.s);
-    for i in 0..P {
-        copy(&ds[i], rows.ds[i]);
-    }
-    found
+    constrained::<E, D, P, H>(&nodes[..n], start, extent, parameters, &mut copies)
 }
 
-/// As many entries as both have.
+/// Copies the entries to the first places, at once: one by one, with a running pointer, they could not stay in
+/// registers elsewhere.
 #[inline(always)]
 fn copy<T: Copy>(from: &[T], to: &mut [T]) {
-    for (to, from) in to.iter_mut().zip(from) {
-        *to = *from;
+    if let Some(to) = to.get_mut(..from.len()) {
+        to.copy_from_slice(from);
     }
+}
+
+/// Where Newton's method ends.
+struct Found<const D: usize, const P: usize, const H: usize> {
+    /// Steps taken.
+    iterations: u32,
+    /// F was regular so close by that it is regular here.
+    is_checked: bool,
+    /// Kinematics here, where they take no sums over the nodes.
+    vectors: Option<Vectors<D, P, H>>,
 }
 
 #[inline(always)]
 fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     x: &[[f64; D]],
     parameters: &[f64],
-    scale: f64,
     rows: &mut Rows<'_, P>,
     zeta: &mut [f64; P],
     extent: &mut [f64; P],
-) -> Result<u32, Status> {
-    let bilinear = P == 2 && matches!(E::CURVED, [false, true, false]);
+) -> Result<Found<D, P, H>, Status> {
+    let multilinear = is_multilinear::<E, D, P, H>();
     let centre = E::centre();
     let mut at_centre = Vectors::default();
-    if bilinear {
+    if multilinear {
         at_centre = E::kinematics(x, &centre, parameters, rows);
     }
+    let is_affine = matches!(E::SEARCH, Search::Affine);
+    let most = if is_affine { 3 } else { MOST_STEPS };
     let mut previous = f64::MAX;
-    for iteration in 1..=MOST_STEPS {
-        let vectors = if bilinear {
-            displaced(&at_centre, &centre, zeta)
-        } else {
+    for iteration in 1..=most {
+        let vectors = if !multilinear {
             E::kinematics(x, zeta, parameters, rows)
+        } else if *zeta == centre {
+            at_centre
+        } else {
+            displaced::<E, D, P, H>(&at_centre, &centre, zeta)
         };
         if iteration == 1 {
-            measure_endless(&vectors, scale, extent);
+            measure_endless(&vectors, x, extent);
         }
         let Step {
             mut change,
-            at_rounding_level,
-        } = step::<E, D, P, H>(&vectors, scale)?;
+            slopes,
+            metric,
+            is_sharp,
+        } = step::<E, D, P, H>(&vectors)?;
         let mut size: f64 = 0.0;
         for i in 0..P {
-            change[i] = change[i].clamp(-extent[i], extent[i]);
+            change[i] = limited(change[i], extent[i]);
             zeta[i] += change[i];
             let relative = abs(change[i]) / extent[i];
             size = if relative > size { relative } else { size };
         }
         // the steps no longer shrink because f is rounding noise
-        let stagnates = iteration > 2 && at_rounding_level && size > 0.25 * previous;
-        if stagnates || finished(E::SEARCH, iteration, size, previous) {
-            return Ok(iteration);
+        let may_stagnate = !is_affine && iteration > 2 && size > 0.25 * previous;
+        let stagnates = may_stagnate && are_rounding(&slopes, &metric, x);
+        let is_finished = finished(E::SEARCH, iteration, size, previous, is_sharp);
+        if stagnates || is_finished {
+            return Ok(Found {
+                iterations: iteration,
+                is_checked: is_finished,
+                vectors: multilinear.then(|| displaced::<E, D, P, H>(&at_centre, &centre, zeta)),
+            });
         }
         if abs(zeta[0]) > 1e6 * extent[0] || abs(zeta[P - 1]) > 1e6 * extent[P - 1] {
             break;
@@ -170,36 +205,16 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     Err(Status::NotConverged)
 }
 
-/// Replaces infinite extents by what the start tells, whatever unit the parameter has: the step over which
-/// b_i turns by about its own length (one radian of a circle), at most the reach of the coordinates.
-/// [eq:extent]
+/// r_,11 and r_,22 vanish identically, so that r is linear in each parameter.
 #[inline(always)]
-fn measure_endless<const D: usize, const P: usize, const H: usize>(
-    vectors: &Vectors<D, P, H>,
-    scale: f64,
-    extent: &mut [f64; P],
-) {
-    for i in 0..P {
-        if extent[i] > f64::MAX {
-            let second = &vectors.second[2 * i];
-            let length = sqrt(dot(&vectors.b[i], &vectors.b[i]));
-            let turn = sqrt(dot(second, second));
-            let reach = scale + sqrt(dot(&vectors.r, &vectors.r));
-            extent[i] = if length < SMALLEST || reach < SMALLEST {
-                1.0
-            } else if turn * reach > length * length {
-                length / turn
-            } else {
-                reach / length
-            };
-        }
-    }
+fn is_multilinear<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>() -> bool {
+    !E::CURVED[0] && (P == 1 || !E::CURVED[2])
 }
 
-/// r, b_i and r_,12 at ζ from those at another point, where r_,11 and r_,22 vanish identically: r is bilinear
-/// and r_,12 constant, so Newton's steps need neither shape functions nor nodes. [eq:bilinear]
+/// r, b_i and r_,12 at ζ from those at another point, where r is linear in each parameter: r_,12 is constant,
+/// and Newton's steps need neither shape functions nor nodes. [eq:bilinear]
 #[inline(always)]
-fn displaced<const D: usize, const P: usize, const H: usize>(
+fn displaced<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     from: &Vectors<D, P, H>,
     at: &[f64; P],
     zeta: &[f64; P],
@@ -207,22 +222,28 @@ fn displaced<const D: usize, const P: usize, const H: usize>(
     let mut to = *from;
     let (first, last) = (zeta[0] - at[0], zeta[P - 1] - at[P - 1]);
     for k in 0..D {
-        let mixed = from.second[1][k];
-        to.b[0][k] = from.b[0][k] + last * mixed;
-        to.b[P - 1][k] = from.b[P - 1][k] + first * mixed;
+        if P == 2 {
+            if E::CURVED[1] {
+                let mixed = from.second[1][k];
+                to.b[0][k] = from.b[0][k] + last * mixed;
+                to.b[1][k] = from.b[1][k] + first * mixed;
+            }
+            to.r[k] += last * from.b[1][k];
+        }
         // r + b_1 d_1 + b_2 d_2 + r_,12 d_1 d_2
-        to.r[k] = (from.r[k] + last * from.b[P - 1][k]) + first * to.b[0][k];
+        to.r[k] += first * to.b[0][k];
     }
     to
 }
 
 /// After a step of relative size `size`: is the next one below rounding? Quadratic convergence makes it
 /// C·size² with C = size/previous², but a single ratio can be small by luck, so C counts as at least 1. An
-/// affine pair needs a second step only to remove the rounding of a far start.
+/// affine pair needs a second step only to remove the rounding of a far start, and two more where the tangents
+/// are nearly parallel: a solve loses ε/sin²θ, each further one as much of what is left.
 #[inline(always)]
-fn finished(search: Search, iteration: u32, size: f64, previous: f64) -> bool {
+fn finished(search: Search, iteration: u32, size: f64, previous: f64, is_sharp: bool) -> bool {
     if matches!(search, Search::Affine) {
-        return iteration == 2 || size < 4.0;
+        return iteration == 3 || !is_sharp && (iteration == 2 || size < 4.0);
     }
     if size <= 1e-15 {
         return true;
@@ -238,15 +259,41 @@ fn finished(search: Search, iteration: u32, size: f64, previous: f64) -> bool {
 pub(super) struct Step<const P: usize> {
     /// −F⁻¹ f [eq:newton-step] [eq:det-F]
     pub(super) change: [f64; P],
-    /// |f_i| is no larger than the rounding of its terms, with room for their sum.
-    pub(super) at_rounding_level: bool,
+    /// f
+    slopes: [f64; P],
+    /// a_ii
+    metric: [f64; P],
+    /// The tangents meet at an angle below about 0.01.
+    is_sharp: bool,
 }
 
-/// |f| ≤ 64 ε |b| scale
+/// |f_i| ≤ 64 ε |b_i| times the largest coordinate: no larger than the rounding of its terms, with room for
+/// their sum.
+#[cold]
+#[inline(never)]
+fn are_rounding<const D: usize, const P: usize>(
+    slopes: &[f64; P],
+    metric: &[f64; P],
+    x: &[[f64; D]],
+) -> bool {
+    let rounding = 64.0 * f64::EPSILON * largest(x);
+    slopes
+        .iter()
+        .zip(metric)
+        .all(|(f, metric)| f * f <= rounding * rounding * metric)
+}
+
+/// Largest coordinate relative to the local origin.
 #[inline(always)]
-fn is_rounding(f: f64, metric: f64, scale: f64) -> bool {
-    let rounding = 64.0 * f64::EPSILON * scale;
-    f * f <= rounding * rounding * metric
+pub(super) fn largest<const D: usize>(x: &[[f64; D]]) -> f64 {
+    let mut largest: f64 = 0.0;
+    for node in x {
+        for k in 0..D {
+            let size = abs(node[k]);
+            largest = if size > largest { size } else { largest };
+        }
+    }
+    largest
 }
 
 /// −F⁻¹ f, or why F cannot be inverted: zero area or length, parallel tangents, focal surface, a foot
@@ -254,11 +301,10 @@ fn is_rounding(f: f64, metric: f64, scale: f64) -> bool {
 #[inline(always)]
 pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     vectors: &Vectors<D, P, H>,
-    scale: f64,
 ) -> Result<Step<P>, Status> {
     let Vectors { r, b, second } = vectors;
-    let mut change = [0.0; P];
-    let at_rounding_level;
+    let (mut change, mut slopes, mut metric) = ([0.0; P], [0.0; P], [0.0; P]);
+    let mut is_sharp = false;
     // r·r_,ij; a constant zero where there is no such derivative
     let bend = |h: usize| {
         if E::CURVED[h] {
@@ -277,7 +323,7 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
             return Err(Status::NotUnique);
         }
         let f1 = dot(r, &b[0]);
-        at_rounding_level = is_rounding(f1, a, scale);
+        (slopes[0], metric[0]) = (f1, a);
         change[0] = -f1 / f;
     } else {
         let (a11, a12, a22) = (dot(&b[0], &b[0]), dot(&b[0], &b[1]), dot(&b[1], &b[1]));
@@ -288,6 +334,7 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         if determinant <= SINGULAR * SINGULAR * a11 * a22 {
             return Err(E::PARALLEL);
         }
+        is_sharp = determinant < SHARP * SHARP * a11 * a22;
         let (h11, h12, h22) = (bend(0), bend(1), bend(2));
         let f = determinant + change_of_determinant::<E, D, P, H>([a11, a12, a22], [h11, h12, h22]);
         let (f11, f12, f22) = (a11 + h11, a12 + h12, a22 + h22);
@@ -295,13 +342,16 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
             return Err(Status::NotUnique);
         }
         let (f1, f2) = (dot(r, &b[0]), dot(r, &b[1]));
-        at_rounding_level = is_rounding(f1, a11, scale) && is_rounding(f2, a22, scale);
+        (slopes[0], slopes[1]) = (f1, f2);
+        (metric[0], metric[1]) = (a11, a22);
         change[0] = (f12 * f2 - f22 * f1) / f;
         change[1] = (f12 * f1 - f11 * f2) / f;
     }
     Ok(Step {
         change,
-        at_rounding_level,
+        slopes,
+        metric,
+        is_sharp,
     })
 }
 

@@ -22,7 +22,8 @@ pub struct Wanted {
 pub struct Call<'a> {
     /// Parameters, checked.
     pub parameters: &'a [f64],
-    /// Accepted history: per point status and projected parameters; none: start at the centre. Cells,
+    /// Accepted history: per point status and projected parameters, with friction the anchor and the slip
+    /// path too; none: start at the centre. Cells,
     /// because the host may hand in one array for the old and the new history; all reads come first.
     pub history: Option<&'a [Cell<f64>]>,
     /// Interpolated slaves: shape row and weight.
@@ -50,6 +51,14 @@ pub struct Report {
     pub normal: [f64; 3],
     /// Newton steps.
     pub iterations: u32,
+    /// Tangential force along d_1 and d_2, per weight; 0 where there is none.
+    pub tangential: [f64; 2],
+    /// b_1 and b_2 in the global frame; zero where there are fewer.
+    pub tangents: [[f64; 3]; 2],
+    /// Anchor for the next step, where there is friction.
+    pub anchor: [f64; 2],
+    /// Slip path for the next step [length].
+    pub path: f64,
 }
 
 /// Takes the outputs of an evaluation: dense arrays, strided ones, a sparse matrix.

@@ -120,6 +120,8 @@ pub trait Shape<const P: usize, const H: usize, const N: usize> {
     const VECTORS: [bool; N];
     /// N_A, N_A,i, N_A,ij.
     fn rows(zeta: &[f64; P], weights: &[f64]) -> ShapeRows<P, H, N>;
+    /// N_A,111, N_A,112, N_A,122, N_A,222; a curve has the first only.
+    fn third(zeta: &[f64; P], weights: &[f64]) -> [[f64; N]; 4];
 }
 
 /// Rigid curve or surface ρ(ζ; parameters).
@@ -130,6 +132,8 @@ pub trait Rigid<const D: usize, const P: usize, const H: usize> {
     const AFFINE: bool;
     /// ρ, ρ_i, ρ_ij as the `r`, `b`, `second` of a position.
     fn position(zeta: &[f64; P], parameters: &[f64]) -> super::Vectors<D, P, H>;
+    /// ρ_,111, ρ_,112, ρ_,122, ρ_,222; a curve has the first only.
+    fn third(zeta: &[f64; P], parameters: &[f64]) -> [[f64; D]; 4];
     /// Closed projection of the point x, where declared.
     fn projection(x: &[f64; D], parameters: &[f64]) -> Option<[f64; P]>;
 }

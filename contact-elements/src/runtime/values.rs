@@ -6,8 +6,12 @@
 pub enum Status {
     /// No contact.
     Open = 0,
-    /// In contact.
+    /// In contact, without friction.
     Closed = 1,
+    /// In contact, sticking.
+    Stick = 2,
+    /// In contact, sliding.
+    Slip = 3,
     /// The projection lies beyond the master's edge or vertex.
     Outside = 4,
     /// The projection did not converge.
@@ -21,13 +25,21 @@ pub enum Status {
 }
 
 impl Status {
-    /// Order in which the status of an element is chosen: open, outside, closed, then the failures.
+    /// True for a point that carries load.
+    #[inline(always)]
+    pub fn is_closed(self) -> bool {
+        matches!(self, Status::Closed | Status::Stick | Status::Slip)
+    }
+
+    /// Order in which the status of an element is chosen: open, outside, closed or sticking, sliding, then
+    /// the failures.
     #[inline]
     pub fn rank(self) -> i32 {
         match self {
             Status::Open => 0,
             Status::Outside => 1,
-            Status::Closed => 2,
+            Status::Closed | Status::Stick => 2,
+            Status::Slip => 3,
             failure => failure as i32,
         }
     }
@@ -93,6 +105,28 @@ impl<const D: usize> Default for Gap<D> {
             n: [0.0; D],
             distance: 0.0,
             gap: 0.0,
+        }
+    }
+}
+
+/// Slip since the anchor in the orthonormal frame of the contact point. [eq:frame] [eq:slip]
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<const P: usize> {
+    /// s_q [length]
+    pub s: [f64; P],
+    /// E^i_q: e_q = E^i_q b_i.
+    pub e: [[f64; P]; P],
+    /// Square of the axis' part in the tangent plane, relative to the whole; 1 without axis.
+    pub share: f64,
+}
+
+impl<const P: usize> Default for Frame<P> {
+    #[inline(always)]
+    fn default() -> Self {
+        Self {
+            s: [0.0; P],
+            e: [[0.0; P]; P],
+            share: 1.0,
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::ir::Program;
 use crate::linearise::geometry::{
     rigid_program, rigid_third_program, shape_program, shape_third_program,
 };
-use crate::linearise::{distance, law};
+use crate::linearise::{distance, law, sliding};
 use crate::model::{Body, Geometry, Model};
 
 /// Operations of one program above which a declaration is refused.
@@ -24,8 +24,13 @@ pub fn check(model: &Model) -> syn::Result<()> {
         .laws
         .iter()
         .map(|l| (&l.name, law::law_program(l).operations()));
+    let tangential_laws = model.tangential_laws.iter().map(|law| {
+        let friction = sliding::friction_program(law).operations();
+        (&law.name, friction)
+    });
     let too_large = geometries
         .chain(laws)
+        .chain(tangential_laws)
         .filter(|(_, operations)| *operations > MOST_OPERATIONS)
         .map(|(name, operations)| message(name, operations));
     match too_large.reduce(|mut all, one| {

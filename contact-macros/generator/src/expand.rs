@@ -4,7 +4,9 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::budget;
-use crate::emit::{emit_element, emit_export, emit_geometry, emit_law};
+use crate::emit::{
+    emit_element, emit_export, emit_friction, emit_geometry, emit_law, emit_tangential_law,
+};
 use crate::model::Model;
 use crate::syntax::File;
 
@@ -40,6 +42,7 @@ pub fn expand_library(part: &str) -> syn::Result<TokenStream> {
         },
         "laws" => Model {
             laws: library.laws.clone(),
+            tangential_laws: library.tangential_laws.clone(),
             ..Model::default()
         },
         _ => library_elements()?,
@@ -82,13 +85,18 @@ pub fn parse(tokens: TokenStream) -> syn::Result<Declaration> {
 fn emit(model: &Model, export: Option<&Ident>) -> TokenStream {
     let geometries = model.geometries.iter().map(|item| emit_geometry(item));
     let laws = model.laws.iter().map(|item| emit_law(item));
+    let tangential = model
+        .tangential_laws
+        .iter()
+        .map(|item| emit_tangential_law(item));
+    let friction = emit_friction(&model.elements);
     let elements = model.elements.iter().map(emit_element);
     let registry = registry(model);
     let export = export.map(|prefix| {
         let names: Vec<Ident> = model.elements.iter().map(|e| e.name.clone()).collect();
         emit_export(prefix, &names)
     });
-    quote! { #(#geometries)* #(#laws)* #(#elements)* #registry #export }
+    quote! { #(#geometries)* #(#laws)* #(#tangential)* #friction #(#elements)* #registry #export }
 }
 
 /// Lists of what was declared, in the order of declaration.
@@ -105,6 +113,12 @@ fn registry(model: &Model) -> TokenStream {
         "PROGRAMS",
         model.laws.iter().map(|law| &law.name),
     );
+    let tangential_laws = list(
+        "TANGENTIAL_LAWS",
+        "TangentialLawPrograms",
+        "PROGRAMS",
+        model.tangential_laws.iter().map(|law| &law.name),
+    );
     let descriptions = list(
         "DESCRIPTIONS",
         "ElementDescription",
@@ -120,7 +134,7 @@ fn registry(model: &Model) -> TokenStream {
                 [#(#names::DESCRIPTOR),*];
         }
     });
-    quote! { #geometries #laws #descriptions #elements }
+    quote! { #geometries #laws #tangential_laws #descriptions #elements }
 }
 
 fn list<'a>(

@@ -2,5 +2,7 @@
 
 mod elements;
 mod export;
+mod fortran77;
 mod geometries;
 mod laws;
+mod transfer;

@@ -50,6 +50,19 @@ contact_elements::contact_elements! {
         W = unit*c*s*s*s;
     }
 
+    /// Friction whose coefficient falls with the pressure and, from m to half of it, with the path slid:
+    /// bound = m p/(1 + p/q) (1 + exp(-slip/d))/2. k: stiffness of sticking.
+    tangential law Worn(pressure, slip;
+        k: "force/length" in (0, inf),
+        m: "1" in (0, inf),
+        q: "force" in (0, inf),
+        d: "length" in (0, inf)
+    ) {
+        let coefficient = m*(1 + exp(-slip/d))/2;
+        stiffness = k;
+        bound = coefficient*pressure/(1 + pressure/q);
+    }
+
     /// Point against a serendipity facet, softened.
     element PointQuad8 { slave: point; master: Quad8; normal: Softened; }
     /// Point against a placed wheel tread.
@@ -60,4 +73,6 @@ contact_elements::contact_elements! {
     element Quad4Quad8 { slave: Quad4 at gauss(2, 2); master: Quad8; normal: Penalty; }
     /// A point of any discretisation on a built-in torus, softened.
     element InterpolatedTorus { slave: interpolated; master: Torus placed; normal: Softened; }
+    /// Point against a serendipity facet, softened, with friction of its own.
+    element PointQuad8Worn { slave: point; master: Quad8; normal: Softened; tangential: Worn; }
 }

@@ -13,6 +13,7 @@ use contact_verify::oracle::geometry::{
 use contact_verify::oracle::law::{Activity, DeclaredLaw, Law};
 use contact_verify::oracle::number::Number;
 use contact_verify::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Row, Slave};
+use contact_verify::oracle::tangential::{DeclaredTangential, Tangential, TangentialLaw};
 use contact_verify::subject::Subject;
 use num_dual::DualNum;
 
@@ -116,11 +117,32 @@ impl DeclaredLaw for Softened {
     }
 }
 
+/// `Worn` with k, m, q and d.
+#[derive(Debug)]
+struct Worn([f64; 4]);
+
+impl DeclaredTangential for Worn {
+    fn orthotropic(&self) -> bool {
+        false
+    }
+    fn stiffness(&self) -> [f64; 2] {
+        [self.0[0]; 2]
+    }
+    fn bound<D: DualNum<Primitive = f64> + Copy>(&self, p: D, slip: D) -> Option<[D; 2]> {
+        let [_, m, q, d] = self.0;
+        let falling = (-slip / d).exp() + 1.0;
+        Some([falling * p * (0.5 * m) / (p / q + 1.0); 2])
+    }
+}
+
 /// Lengths about one: the random states are that large.
 const WHEEL: [f64; 3] = [1.1, 0.1, 0.05];
 const CROWN: f64 = 0.9;
 /// p; c below most of the open gaps, which lie between 1e-3 and 0.3.
 const SOFTENED: [f64; 2] = [70.0, 0.02];
+
+/// k, m, q, d.
+const WORN: [f64; 4] = [300.0, 0.4, 90.0, 0.3];
 
 /// An element and the pair it claims to be; of `placement`, `r0` and orientation only the kind counts.
 fn subject(name: &str, slave: Slave, master: Master, law: Law, geometry: &[f64]) -> Subject {
@@ -135,8 +157,10 @@ fn subject(name: &str, slave: Slave, master: Master, law: Law, geometry: &[f64])
             orientation: 1.0,
             r0: 0.0,
             law,
+            tangential: None,
         },
         law_parameters: SOFTENED.to_vec(),
+        tangential_parameters: WORN.to_vec(),
         geometry_parameters: geometry.to_vec(),
     }
 }
@@ -195,12 +219,19 @@ fn subjects() -> Vec<Subject> {
     };
     let quad8_points = integrated("Quad8RailHead", quad8());
     let quad4_points = integrated("Quad4Quad8", Shape::Quad4);
+    let mut worn = subject("PointQuad8Worn", Slave::Point, facet(), softened(), &[]);
+    worn.template.tangential = Some(Tangential {
+        law: TangentialLaw::Declared(Arc::new(Worn(WORN))),
+        axis: None,
+        tangent_plane: false,
+    });
     vec![
         subject("PointQuad8", Slave::Point, facet(), softened(), &[]),
         subject("PointWheelTread", Slave::Point, wheel, penalty(), &WHEEL),
         subject("Quad8RailHead", quad8_points, rail, softened(), &[CROWN]),
         subject("Quad4Quad8", quad4_points, facet(), penalty(), &[]),
         subject("InterpolatedTorus", cell, torus, softened(), &[]),
+        worn,
     ]
 }
 

@@ -3,13 +3,14 @@
 //! A [`Generator`] turns a template [`Pair`] into reproducible random [`Configuration`]s: state
 //! `index` of seed `seed` is always the same, whatever was generated before. The flow of one
 //! attempt: [`recipe`] draws the numbers of the pair, [`build`] sets the geometries so that the
-//! wanted status should hold, [`motion`] moves, turns and scales everything, and the oracle's own
-//! projection confirms status and conditioning; otherwise the attempt is repeated.
+//! wanted status should hold, [`motion`] moves, turns and scales everything, [`friction`] adds what the
+//! points remember, and the oracle's own projection confirms status and conditioning; otherwise the attempt is repeated.
 //! [`edge_cases`] lists the states where elements tend to fail, with what must come out.
 
 pub mod build;
 pub mod edge_cases;
 pub mod flat;
+pub mod friction;
 pub mod motion;
 pub mod random;
 pub mod recipe;
@@ -21,7 +22,9 @@ pub use recipe::Freedom;
 
 use crate::oracle::OracleError;
 use crate::oracle::pair::Pair;
-use crate::oracle::solve::{self, PointReport, PointStatus, Start, State};
+use crate::oracle::solve::{self, FrictionHistory, PointReport, PointStatus, Start, State};
+use crate::oracle::tangential::TangentialLaw;
+use crate::oracle::tangential::return_map::Regime;
 
 /// The status a state is built for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -32,6 +35,17 @@ pub enum Wanted {
     Open,
     /// One point: beyond an edge or end. Integrated: at least one point outside.
     Outside,
+    /// With friction. One point: sticks. Integrated: at least one point closed, none slips.
+    Stick,
+    /// With friction. One point: slips. Integrated: at least one point slips.
+    Slip,
+}
+
+impl Wanted {
+    /// Whether a point must be closed.
+    pub fn is_closed(self) -> bool {
+        matches!(self, Self::Closed | Self::Stick | Self::Slip)
+    }
 }
 
 /// A pair at a state.
@@ -47,6 +61,8 @@ pub struct Configuration {
     pub start: Vec<[f64; 2]>,
     /// Typical size (length): factor by which a problem of size one was scaled.
     pub size: f64,
+    /// What each contact point remembers; empty without friction.
+    pub friction: Vec<FrictionHistory>,
     /// What the oracle finds at the contact points.
     pub points: Vec<PointReport>,
 }
@@ -58,6 +74,7 @@ impl Configuration {
             reference: &self.reference,
             displacement: &self.displacement,
             start: Start::Given(&self.start),
+            friction: &self.friction,
         }
     }
 
@@ -78,6 +95,8 @@ pub enum GenerateError {
     Template(OracleError),
     /// The pair has no boundary, or no parameter, so nothing is ever outside.
     NeverOutside,
+    /// The pair has no friction, or a law without bound.
+    NeverSlips,
     /// No attempt gave the wanted status, well conditioned.
     Exhausted {
         /// Attempts made.
@@ -90,6 +109,7 @@ impl fmt::Display for GenerateError {
         match self {
             Self::Template(error) => write!(f, "{error}"),
             Self::NeverOutside => write!(f, "the pair has no boundary"),
+            Self::NeverSlips => write!(f, "the pair has no friction, or it never slips"),
             Self::Exhausted { attempts } => write!(f, "no suitable state in {attempts} attempts"),
         }
     }
@@ -133,6 +153,15 @@ impl Generator {
         if wanted == Wanted::Outside && !bounded {
             return Err(GenerateError::NeverOutside);
         }
+        let law = self.template.tangential.as_ref().map(|t| &t.law);
+        let possible = match wanted {
+            Wanted::Stick => law.is_some(),
+            Wanted::Slip => law.is_some_and(TangentialLaw::is_bounded),
+            Wanted::Closed | Wanted::Open | Wanted::Outside => true,
+        };
+        if !possible {
+            return Err(GenerateError::NeverSlips);
+        }
         let mut stream = Stream::new(self.seed, index, wanted as u64);
         for _ in 0..ATTEMPTS {
             if let Some(configuration) = self.attempt(wanted, &mut stream) {
@@ -148,7 +177,15 @@ impl Generator {
         let mut moved = motion::apply(&recipe, built, &self.freedom, stream);
         moved.start = starts(&moved, stream)?;
         moved.points = solve::reports(&moved.pair, &moved.state()).ok()?;
+        friction::equip(&mut moved, wanted, &self.freedom, stream)?;
         (accepted(&moved.points, wanted) && is_deep(&moved)).then_some(moved)
+    }
+
+    /// A closed state that is as well conditioned as generated ones.
+    pub fn is_sound(configuration: &Configuration) -> bool {
+        accepted(&configuration.points, Wanted::Closed)
+            && is_deep(configuration)
+            && friction::is_clear(configuration)
     }
 }
 
@@ -214,7 +251,14 @@ fn accepted(points: &[PointReport], wanted: Wanted) -> bool {
             Wanted::Closed => any(|s| *s == PointStatus::Closed),
             Wanted::Open => any(|s| *s == PointStatus::Open) && !any(|s| *s == PointStatus::Closed),
             Wanted::Outside => any(|s| matches!(s, PointStatus::Outside(_))),
+            Wanted::Stick => any(|s| *s == PointStatus::Closed) && !slips(points),
+            Wanted::Slip => slips(points),
         }
+}
+
+fn slips(points: &[PointReport]) -> bool {
+    let mut friction = points.iter().filter_map(|point| point.friction);
+    friction.any(|friction| friction.regime == Regime::Slip)
 }
 
 #[cfg(test)]

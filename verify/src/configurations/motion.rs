@@ -137,6 +137,7 @@ pub fn apply(
         displacement,
         start,
         size: motion.scale,
+        friction: vec![],
         points: vec![],
     }
 }

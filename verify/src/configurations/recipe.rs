@@ -15,7 +15,7 @@ pub struct Freedom {
     pub rigid_parameters: bool,
     /// Placement of rigid geometries; if fixed, nothing is moved or turned as a whole.
     pub placement: bool,
-    /// Parameters of built-in laws.
+    /// Parameters of built-in laws, normal and tangential, with convected axes.
     pub law: bool,
     /// Position of a single integration point; a rule of several points always stays.
     pub eta: bool,

@@ -176,24 +176,24 @@ impl<'a> Frame<'a> {
         let Slave::Fixed { geometry, .. } = &self.pair.slave else {
             return D::one();
         };
-        let tangent = |k: usize| {
-            let mut t = [D::zero(); 3];
-            for (node, slope) in slave
-                .iter()
-                .zip(self.slopes[k])
-                .take(geometry.shape.nodes())
-            {
-                for c in 0..3 {
-                    t[c] += node[c] * slope;
-                }
-            }
-            t
-        };
+        let tangent = |k: usize| self.slave_tangent(slave, k);
         match geometry.shape.parameters() {
             0 => D::one(),
             1 => norm(tangent(0)),
             _ => norm(cross(tangent(0), tangent(1))),
         }
+    }
+
+    /// Derivative of the slave's position by its own parameter `k` at its fixed point; zero for a
+    /// slave without fixed points.
+    pub fn slave_tangent<D: Number>(&self, slave: &[[D; 3]; MAX_NODES], k: usize) -> [D; 3] {
+        let mut t = [D::zero(); 3];
+        for (node, slope) in slave.iter().zip(self.slopes[k]) {
+            for c in 0..3 {
+                t[c] += node[c] * slope;
+            }
+        }
+        t
     }
 
     /// Relative position and tangents at parameters `z` (slave's first).
@@ -248,6 +248,21 @@ impl<'a> Frame<'a> {
             v[0] * self.rotation[0][c] + v[1] * self.rotation[1][c] + v[2] * self.rotation[2][c]
         };
         [column(0), column(1), column(2)]
+    }
+
+    /// The parameters `a^ij b_j·v` of a vector of the tangent plane at `z`.
+    pub fn parameters_of(&self, z: [f64; 2], v: [f64; 3]) -> [f64; 2] {
+        let tangents = self.relative(&self.nodes, z).tangents;
+        let along = tangents.map(|b| dot(b, v));
+        let a = |i: usize, j: usize| dot(tangents[i], tangents[j]);
+        if self.parameters == 1 {
+            return [along[0] / a(0, 0), 0.0];
+        }
+        let determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
+        [
+            (a(1, 1) * along[0] - a(0, 1) * along[1]) / determinant,
+            (a(0, 0) * along[1] - a(0, 1) * along[0]) / determinant,
+        ]
     }
 
     /// Unit normal of a signed gap, `r / |r|` of a distance.

@@ -1,7 +1,8 @@
-//! The oracle: truth for frictionless contact by dual numbers, slowly but without any typed derivative.
+//! The oracle: truth by dual numbers, slowly but without any typed derivative.
 //!
 //! Read in this order: [`geometry`] (positions as functions of parameters), [`law`] (energy as a
-//! function of the gap), [`pair`] (one contact problem as data), [`kinematics`] (relative
+//! function of the gap), [`tangential`] (traction as a function of slip, pressure and path), [`pair`]
+//! (one contact problem as data), [`kinematics`] (relative
 //! position, tangents, normal, gap), [`projection`] (closest point in doubles), [`solve`]
 //! (energy, residual and tangent from dual sweeps).
 //!
@@ -23,12 +24,18 @@
 //!     orientation: 1.0,
 //!     r0: 0.0,
 //!     law: Law::Penalty { eps_n: 1000.0 },
+//!     tangential: None,
 //! };
 //! let x = [
 //!     0.2, -0.1, -0.05, // slave point, 0.05 below the facet
 //!     -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0,
 //! ];
-//! let state = State { reference: &x, displacement: &[0.0; 15], start: Start::Search };
+//! let state = State {
+//!     reference: &x,
+//!     displacement: &[0.0; 15],
+//!     start: Start::Search,
+//!     friction: &[],
+//! };
 //! let evaluation = solve::evaluate(&pair, &state).unwrap();
 //! assert!((evaluation.points[0].gap + 0.05).abs() < 1e-15);
 //! assert!((evaluation.residual[2] + 50.0).abs() < 1e-12);
@@ -42,6 +49,7 @@ pub mod number;
 pub mod pair;
 pub mod projection;
 pub mod solve;
+pub mod tangential;
 pub mod vector;
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use super::geometry::{
     Interpolation, MAX_NODES, Placement, Region, RigidDistance, RigidParametric,
 };
 use super::law::Law;
+use super::tangential::Tangential;
 
 /// An integration point of a slave.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,6 +114,8 @@ pub struct Pair {
     pub r0: f64,
     /// Normal law.
     pub law: Law,
+    /// Tangential law; none: frictionless.
+    pub tangential: Option<Tangential>,
 }
 
 impl Pair {
@@ -234,6 +237,8 @@ impl Pair {
             _ => {}
         }
         self.law.defect().map_or(Ok(()), fail)?;
+        let tangential = self.tangential.as_ref().and_then(|law| law.defect(self));
+        tangential.map_or(Ok(()), |defect| fail(defect.into()))?;
         self.placement()
             .defect()
             .map_or(Ok(()), |d| fail(d.into()))?;

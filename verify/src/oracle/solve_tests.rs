@@ -41,6 +41,7 @@ fn deformable() -> Vec<Pair> {
         orientation: 1.0,
         r0: 0.0,
         law: law.clone(),
+        tangential: None,
     };
     list.map(pair).to_vec()
 }
@@ -198,6 +199,7 @@ fn swapping_slave_and_master_curve_changes_nothing() {
         orientation: 1.0,
         r0: 0.0,
         law: law.clone(),
+        tangential: None,
     };
     let configuration = closed(make(Shape::Line3, Shape::Line2), 0);
     let mut swapped = make(Shape::Line2, Shape::Line3);
@@ -210,6 +212,7 @@ fn swapping_slave_and_master_curve_changes_nothing() {
             reference: x,
             displacement: &zeros,
             start: Start::Search,
+            friction: &[],
         };
         solve::evaluate(pair, &state).unwrap()
     };

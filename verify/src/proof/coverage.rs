@@ -1,8 +1,9 @@
-//! Every status, feature, return code and named argument of the interface must have been seen.
+//! Every status and feature must have been seen, and every return code and argument that a caller from safe Rust
+//! can provoke; those that need a wrong pointer, stride or count are provoked by the clients in `tests/clients`.
 
 use std::collections::BTreeSet;
 
-use contact_elements::abi::{Evaluation, argument, code, evaluate, request};
+use contact_elements::abi::{Evaluation, OUTPUT_SIZE, Outcome, argument, code, evaluate, request};
 use contact_elements::runtime::Status;
 
 use super::Finding;
@@ -18,9 +19,11 @@ pub struct Seen {
 }
 
 /// Statuses that must occur.
-const STATUSES: [Status; 7] = [
+const STATUSES: [Status; 9] = [
     Status::Open,
     Status::Closed,
+    Status::Stick,
+    Status::Slip,
     Status::Outside,
     Status::NotConverged,
     Status::NotUnique,
@@ -47,11 +50,19 @@ pub fn prove(subjects: &[Subject], seen: &mut Seen) -> Finding {
             finding.fail(format!("no projection lay beyond feature {feature}"));
         }
     }
-    if let Some(subject) = subjects.iter().find(|s| s.name() == "PointQuad4") {
-        front_door(&mut finding, subject);
-    } else {
-        finding.fail("PointQuad4 is not among the elements".to_string());
-    }
+    front_door(&mut finding, subjects, "PointQuad4", &FAULTS);
+    front_door(
+        &mut finding,
+        subjects,
+        "InterpolatedQuad4",
+        &INTERPOLATED_FAULTS,
+    );
+    front_door(
+        &mut finding,
+        subjects,
+        "PointQuad4Coulomb",
+        &FRICTIONAL_FAULTS,
+    );
     finding
 }
 
@@ -111,117 +122,150 @@ const FACET: [f64; 15] = [
     0.1, 0.2, -0.1, -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0,
 ];
 
-/// One call with a fault, and the code and argument that must come out.
-struct Fault {
-    what: &'static str,
-    code: i32,
-    argument: i32,
-    change: fn(&mut Data),
-}
+/// A fault put into a good call: what it is, and the code and argument that must come out.
+type Fault = (&'static str, i32, i32, fn(&mut Data));
 
-/// Inputs of a good call.
+/// Inputs and outputs of a good call.
 struct Data {
     x: Vec<f64>,
     u: Vec<f64>,
     parameters: Vec<f64>,
     history: Vec<f64>,
+    slave_row: Vec<f64>,
+    residual: Vec<f64>,
+    tangent: Vec<f64>,
     output: Vec<f64>,
+    new_history: Vec<f64>,
+    energy: Vec<f64>,
+    workspace: Vec<f64>,
     bits: u32,
 }
 
-const FAULTS: [Fault; 9] = [
-    Fault {
-        what: "no coordinates",
-        code: code::NULL,
-        argument: argument::X,
-        change: |d| d.x.clear(),
-    },
-    Fault {
-        what: "NaN coordinate",
-        code: code::NOT_FINITE,
-        argument: argument::X,
-        change: |d| d.x[4] = f64::NAN,
-    },
-    Fault {
-        what: "infinite displacement",
-        code: code::NOT_FINITE,
-        argument: argument::U,
-        change: |d| d.u[7] = f64::INFINITY,
-    },
-    Fault {
-        what: "missing parameter",
-        code: code::PARAMETER,
-        argument: argument::PARAMETERS,
-        change: |d| d.parameters.truncate(1),
-    },
-    Fault {
-        what: "negative stiffness",
-        code: code::PARAMETER,
-        argument: argument::PARAMETERS,
-        change: |d| d.parameters[0] = -1.0,
-    },
-    Fault {
-        what: "NaN parameter",
-        code: code::NOT_FINITE,
-        argument: argument::PARAMETERS,
-        change: |d| d.parameters[0] = f64::NAN,
-    },
-    Fault {
-        what: "unknown request",
-        code: code::REQUEST,
-        argument: argument::REQUEST,
-        change: |d| d.bits = 1 << 20,
-    },
-    Fault {
-        what: "frozen without history",
-        code: code::NULL,
-        argument: argument::HISTORY_OLD,
-        change: |d| {
-            d.bits = request::FREEZE_STATE;
-            d.history.clear();
-        },
-    },
-    Fault {
-        what: "huge history",
-        code: code::NOT_FINITE,
-        argument: argument::HISTORY_OLD,
-        change: |d| d.history[1] = 1e300,
-    },
+/// Of a point on a facet.
+#[rustfmt::skip]
+const FAULTS: [Fault; 17] = [
+    ("no coordinates", code::NULL, argument::X, |d| d.x.clear()),
+    ("NaN coordinate", code::NOT_FINITE, argument::X, |d| d.x[4] = f64::NAN),
+    ("few displacements", code::NULL, argument::U, |d| d.u.truncate(14)),
+    ("infinite displacement", code::NOT_FINITE, argument::U, |d| d.u[7] = f64::INFINITY),
+    ("missing parameter", code::PARAMETER, argument::PARAMETERS, |d| d.parameters.truncate(1)),
+    ("negative stiffness", code::PARAMETER, argument::PARAMETERS, |d| d.parameters[0] = -1.0),
+    ("NaN parameter", code::NOT_FINITE, argument::PARAMETERS, |d| d.parameters[0] = f64::NAN),
+    ("unknown request", code::REQUEST, argument::REQUEST, |d| d.bits = 1 << 20),
+    ("short history", code::NULL, argument::HISTORY_OLD, |d| d.history.truncate(2)),
+    ("huge history", code::NOT_FINITE, argument::HISTORY_OLD, |d| d.history[1] = 1e300),
+    ("frozen without history", code::NULL, argument::HISTORY_OLD, |d| {
+        d.bits = request::FREEZE_STATE;
+        d.history.clear();
+    }),
+    ("short residual", code::NULL, argument::F, |d| d.residual.truncate(14)),
+    ("short tangent", code::NULL, argument::K, |d| d.tangent.truncate(224)),
+    ("short output", code::NULL, argument::OUTPUT, |d| d.output.truncate(10)),
+    ("short new history", code::NULL, argument::HISTORY_NEW, |d| d.new_history.truncate(2)),
+    ("energy without its array", code::NULL, argument::ENERGY, |d| {
+        d.bits = request::ENERGY;
+        d.energy.clear();
+    }),
+    ("facet without area", code::CUT_BACK, argument::X, |d| d.x[3..].fill(0.0)),
 ];
 
-fn front_door(finding: &mut Finding, subject: &Subject) {
-    for fault in FAULTS {
+/// Of an interpolated slave with one node on a facet.
+#[rustfmt::skip]
+const INTERPOLATED_FAULTS: [Fault; 3] = [
+    ("no slave row", code::NODE_COUNT, argument::NSLAVE, |d| d.slave_row.clear()),
+    ("NaN in the slave row", code::NOT_FINITE, argument::SLAVE_ROW, |d| d.slave_row[0] = f64::NAN),
+    ("small workspace", code::WORKSPACE, argument::WORKSPACE, |d| d.workspace.truncate(1)),
+];
+
+/// Of a point with friction on a facet: eps_n, eps_t, mu, r0, orientation; status, ζ, anchor, path.
+#[rustfmt::skip]
+const FRICTIONAL_FAULTS: [Fault; 7] = [
+    ("tangential stiffness of zero", code::PARAMETER, argument::PARAMETERS, |d| d.parameters[1] = 0.0),
+    ("negative coefficient of friction", code::PARAMETER, argument::PARAMETERS, |d| d.parameters[2] = -0.1),
+    ("history without anchor", code::NULL, argument::HISTORY_OLD, |d| d.history.truncate(3)),
+    ("anchor that is no number", code::NOT_FINITE, argument::HISTORY_OLD, |d| d.history[3] = f64::NAN),
+    ("anchor far away", code::HISTORY, argument::HISTORY_OLD, |d| d.history[3] = 6e7),
+    ("negative path", code::HISTORY, argument::HISTORY_OLD, |d| d.history[5] = -1.0),
+    ("status of no kind", code::HISTORY, argument::HISTORY_OLD, |d| d.history[0] = 2.5),
+];
+
+/// Puts every fault into a call of its own.
+fn front_door(finding: &mut Finding, subjects: &[Subject], name: &str, faults: &[Fault]) {
+    let Some(subject) = subjects.iter().find(|s| s.name() == name) else {
+        finding.fail(format!("{name} is not among the elements"));
+        return;
+    };
+    let descriptor = subject.description.descriptor;
+    for &(what, code, argument, change) in faults {
         let mut data = Data {
             x: FACET.to_vec(),
             u: vec![0.0; 15],
-            parameters: vec![1000.0, 0.0, 1.0],
-            history: vec![0.0; 3],
-            output: vec![0.0; 11],
+            parameters: match descriptor.friction {
+                true => vec![1000.0, 500.0, 0.3, 0.0, 1.0],
+                false => vec![1000.0, 0.0, 1.0],
+            },
+            history: vec![0.0; descriptor.history()],
+            slave_row: vec![1.0, 1.0],
+            residual: vec![1.0; 15],
+            tangent: vec![1.0; 225],
+            output: vec![1.0; OUTPUT_SIZE],
+            new_history: vec![1.0; descriptor.history()],
+            energy: vec![1.0],
+            workspace: vec![0.0; descriptor.workspace(5)],
             bits: 0,
         };
-        (fault.change)(&mut data);
-        let mut residual = vec![1.0; 15];
-        let outcome = evaluate(
-            subject.description.descriptor,
-            &mut Evaluation {
-                x: &data.x,
-                u: &data.u,
-                parameters: &data.parameters,
-                history: &data.history,
-                residual: &mut residual,
-                output: &mut data.output,
-                bits: data.bits,
-                ..Evaluation::default()
-            },
-        );
-        let untouched = residual.iter().all(|&value| value == 1.0);
-        if outcome.code == fault.code && outcome.argument == fault.argument && untouched {
+        let good = called(subject, &mut data).code;
+        change(&mut data);
+        for array in data.outputs() {
+            array.fill(1.0);
+        }
+        let outcome = called(subject, &mut data);
+        let untouched = data.outputs().into_iter().flatten().all(|&mut v| v == 1.0);
+        if good == code::SUCCESS
+            && (outcome.code, outcome.argument) == (code, argument)
+            && untouched
+        {
             finding.pass();
         } else {
             finding.fail(format!(
-                "{}: {outcome:?}, untouched: {untouched}",
-                fault.what
+                "{what}: {good}, then {outcome:?}, untouched: {untouched}"
             ));
         }
     }
+}
+
+impl Data {
+    fn outputs(&mut self) -> [&mut Vec<f64>; 5] {
+        [
+            &mut self.residual,
+            &mut self.tangent,
+            &mut self.output,
+            &mut self.new_history,
+            &mut self.energy,
+        ]
+    }
+}
+
+fn called(subject: &Subject, data: &mut Data) -> Outcome {
+    let slave_row: &[f64] = match subject.description.descriptor.interpolated {
+        true => &data.slave_row,
+        false => &[],
+    };
+    evaluate(
+        subject.description.descriptor,
+        &mut Evaluation {
+            x: &data.x,
+            u: &data.u,
+            parameters: &data.parameters,
+            history: &data.history,
+            slave_row,
+            residual: &mut data.residual,
+            tangent: &mut data.tangent,
+            output: &mut data.output,
+            new_history: &mut data.new_history,
+            energy: &mut data.energy,
+            workspace: &mut data.workspace,
+            bits: data.bits,
+        },
+    )
 }

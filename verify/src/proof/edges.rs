@@ -33,8 +33,16 @@ pub fn fits(subject: &Subject, pair: &Pair) -> bool {
         && template.dimension == pair.dimension
         && template.gap == pair.gap
         && std::mem::discriminant(&template.law) == std::mem::discriminant(&pair.law)
+        && tangential_kind(template) == tangential_kind(pair)
         && slave_kind(&template.slave) == slave_kind(&pair.slave)
         && master_kind(&template.master) == master_kind(&pair.master)
+}
+
+fn tangential_kind(pair: &Pair) -> Option<String> {
+    let tangential = pair.tangential.as_ref()?;
+    let law = std::mem::discriminant(&tangential.law);
+    let axis = tangential.axis.map(|axis| std::mem::discriminant(&axis));
+    Some(format!("{law:?} {axis:?}"))
 }
 
 fn slave_kind(slave: &Slave) -> String {
@@ -70,7 +78,7 @@ fn one(finding: &mut Finding, seen: &mut Seen, subject: &Subject, case: &EdgeCas
             reference: &case.positions,
             displacement: &zeros,
             parameters: &subject.parameters(&case.pair),
-            history: &subject.history(&case.start),
+            history: &subject.history(&case.start, &case.friction),
             slave_row: &subject.slave_row(&case.pair),
         },
         Wanted::BOTH,
@@ -80,13 +88,12 @@ fn one(finding: &mut Finding, seen: &mut Seen, subject: &Subject, case: &EdgeCas
     seen.statuses.extend(status.map(|status| status as i32));
     let fine = match case.expected {
         Expected::Closed => status == Some(Status::Closed),
+        Expected::Stick => status == Some(Status::Stick),
+        Expected::Slip => status == Some(Status::Slip),
         Expected::Open => status == Some(Status::Open) && answer.is_zero(),
-        Expected::OnBoundary(_) => {
-            matches!(
-                status,
-                Some(Status::Closed | Status::Open | Status::Outside)
-            )
-        }
+        Expected::OnBoundary(_) => status.is_some_and(|status| {
+            status.is_closed() || matches!(status, Status::Open | Status::Outside)
+        }),
         Expected::Outside(_) => status == Some(Status::Outside) && answer.is_zero(),
         Expected::Degenerate => {
             let failed = matches!(
@@ -104,7 +111,7 @@ fn one(finding: &mut Finding, seen: &mut Seen, subject: &Subject, case: &EdgeCas
             "{what}: {:?} instead of {:?}",
             answer.outcome, case.expected
         ));
-    } else if status == Some(Status::Closed) {
+    } else if status.is_some_and(Status::is_closed) {
         compare(finding, case, &answer, &what);
     } else {
         finding.pass();

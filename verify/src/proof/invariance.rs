@@ -2,18 +2,15 @@
 
 use serde::Serialize;
 
-use super::{Finding, Worst, random};
+use super::{Finding, Worst, random, units};
 use crate::configurations::{Configuration, Stream, Wanted};
 use crate::oracle::geometry::Placement;
-use crate::oracle::law::Law;
-use crate::oracle::pair::{Master, Measure, Pair, Slave};
+use crate::oracle::pair::{Master, Pair};
 use crate::subject::{self, Answer, Subject};
 use crate::tolerance::{BALANCE, MOTION, SYMMETRY, UNITS, relative_error};
 
 /// States tried.
 const STATES: u64 = 40;
-/// Metre to millimetre.
-const UNIT: f64 = 1000.0;
 
 /// Worst deviations of one element.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -22,7 +19,7 @@ pub struct Invariance {
     pub symmetry: Worst,
     /// Sum of forces; nothing for rigid masters.
     pub force: Worst,
-    /// Sum of moments; nothing for rigid masters.
+    /// Sum of moments; nothing for rigid masters. Friction on the tangent plane leaves one, see the slopes.
     pub moment: Worst,
     /// Turned and shifted state against turned result.
     pub motion: Worst,
@@ -37,7 +34,7 @@ pub fn prove(subject: &Subject, seed: u64) -> Invariance {
     let mut result = Invariance::default();
     let generator = random::generator(subject, seed);
     for index in 0..STATES {
-        let Ok(configuration) = generator.generate(Wanted::Closed, index) else {
+        let Ok(configuration) = generator.generate(wanted(subject, index), index) else {
             result
                 .finding
                 .fail(format!("state {index} could not be made"));
@@ -50,6 +47,15 @@ pub fn prove(subject: &Subject, seed: u64) -> Invariance {
         units(&mut result, subject, &configuration, &answer, index);
     }
     result
+}
+
+/// With friction every second state slips, where the law lets it.
+fn wanted(subject: &Subject, index: u64) -> Wanted {
+    match &subject.template.tangential {
+        None => Wanted::Closed,
+        Some(tangential) if tangential.law.is_bounded() && index % 2 == 1 => Wanted::Slip,
+        Some(_) => Wanted::Stick,
+    }
 }
 
 fn symmetry(result: &mut Invariance, subject: &Subject, answer: &Answer, index: u64) {
@@ -90,12 +96,24 @@ fn balance(
     ) {
         return;
     }
-    let d = subject.description.descriptor.dimension;
+    let (force, moment) = imbalance(configuration, &answer.residual);
+    result.force.absorb(force, index);
+    result.moment.absorb(moment, index);
+    result.finding.compare("balance of force", force, BALANCE);
+    if !(subject.description.tangent_plane && pair.tangential.is_some()) {
+        result.finding.compare("balance of moment", moment, BALANCE);
+    }
+}
+
+/// Sums of forces and moments, relative to the largest force and the largest coordinate.
+pub(super) fn imbalance(configuration: &Configuration, residual: &[f64]) -> (f64, f64) {
+    let pair = &configuration.pair;
+    let d = pair.dimension;
     let x = configuration.positions();
     let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
     let (mut largest, mut arm) = (0.0_f64, 0.0_f64);
     for (node, is_position) in positions(pair).into_iter().enumerate() {
-        let (x, r) = (point(&x, node, d), point(&answer.residual, node, d));
+        let (x, r) = (point(&x, node, d), point(residual, node, d));
         for k in 0..3 {
             if is_position {
                 force[k] += r[k];
@@ -107,11 +125,7 @@ fn balance(
         }
     }
     let size = |v: [f64; 3]| v.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
-    let (force, moment) = (size(force) / largest, size(moment) / (largest * arm));
-    result.force.absorb(force, index);
-    result.moment.absorb(moment, index);
-    result.finding.compare("balance of force", force, BALANCE);
-    result.finding.compare("balance of moment", moment, BALANCE);
+    (size(force) / largest, size(moment) / (largest * arm))
 }
 
 /// Rotation matrix of the motion tried: about z in the plane.
@@ -242,91 +256,11 @@ fn units(
     answer: &Answer,
     index: u64,
 ) {
-    let mut scaled = configuration.clone();
-    for value in scaled.reference.iter_mut().chain(&mut scaled.displacement) {
-        *value *= UNIT;
-    }
-    scaled.pair.r0 *= UNIT;
-    scaled.pair.law = law_in_millimetres(&configuration.pair.law);
-    let mut found = subject.parameters(&scaled.pair);
-    for (value, power) in found.iter_mut().zip(length_powers(subject)) {
-        *value *= UNIT.powi(power);
-    }
-    let output = subject.call(
-        &subject::Input {
-            reference: &scaled.reference,
-            displacement: &scaled.displacement,
-            parameters: &found,
-            history: &subject.history(&scaled.start),
-            slave_row: &subject.slave_row(&scaled.pair),
-        },
-        subject::Wanted::BOTH,
-    );
-    let factor = measure_factor(&configuration.pair);
-    let residual: Vec<f64> = answer.residual.iter().map(|v| v * factor).collect();
-    let tangent: Vec<f64> = answer.tangent.iter().map(|v| v * factor / UNIT).collect();
-    let mut error = relative_error(&output.residual, &residual);
-    if !tangent.is_empty() {
-        error = error.max(relative_error(&output.tangent, &tangent));
-    }
-    result.units.absorb(error, index);
-    result.finding.compare("change of units", error, UNITS);
-}
-
-/// Powers of length in the units of the parameters that the pair does not scale: those of the rigid
-/// geometry, of the placement and of a declared law.
-fn length_powers(subject: &Subject) -> Vec<i32> {
-    let law = match subject.template.law {
-        Law::Declared(_) => subject.law_parameters.len(),
-        _ => 0,
-    };
-    let geometry = subject.description.layout.geometry;
-    let parameters = subject.description.descriptor.parameters.iter();
-    parameters
-        .enumerate()
-        .map(
-            |(index, parameter)| match index < law || index >= geometry {
-                true => length_power(parameter.unit.trim_end_matches('\0')),
-                false => 0,
-            },
-        )
-        .collect()
-}
-
-/// Power of length in a unit like `force/length^2`; forces keep their unit.
-fn length_power(unit: &str) -> i32 {
-    let power = |factor: &str| match factor.split_once('^').unwrap_or((factor, "1")) {
-        ("length", power) => power.parse().unwrap_or(0),
-        _ => 0,
-    };
-    let mut parts = unit.split('/').map(power);
-    parts.next().unwrap_or(0) - parts.sum::<i32>()
-}
-
-/// The same law with forces in the same unit and lengths in millimetres.
-fn law_in_millimetres(law: &Law) -> Law {
-    match law {
-        Law::Penalty { eps_n } => Law::Penalty {
-            eps_n: eps_n / UNIT,
-        },
-        Law::Power { eps_n, exponent } => Law::Power {
-            eps_n: eps_n / UNIT.powf(*exponent),
-            exponent: *exponent,
-        },
-        Law::Barrier { kappa, distance } => Law::Barrier {
-            kappa: kappa / UNIT,
-            distance: distance * UNIT,
-        },
-        Law::Declared(law) => Law::Declared(law.clone()),
-    }
-}
-
-/// Forces of integrated slaves grow with the length or area of the slave.
-fn measure_factor(pair: &Pair) -> f64 {
-    match &pair.slave {
-        Slave::Fixed {
-            geometry, measure, ..
-        } if *measure != Measure::Unit => UNIT.powi(geometry.shape.parameters() as i32),
-        _ => 1.0,
+    match units::error(subject, configuration, answer) {
+        Ok(error) => {
+            result.units.absorb(error, index);
+            result.finding.compare("change of units", error, UNITS);
+        }
+        Err(what) => result.finding.fail(format!("change of units: {what}")),
     }
 }

@@ -3,23 +3,28 @@
 //! | file | evidence |
 //! |---|---|
 //! | `tables` | tables agree with the emitted code bit for bit; derivatives in them with duals |
-//! | `random` | residual, tangent, energy, gap and status over random states against the oracle |
+//! | `random`, `points` | residual, tangent, energy, output and trial history of every contact point over random states against the oracle |
+//! | `sequences` | steps of frictional contact, element and oracle each with its own history |
 //! | `edges` | states where elements tend to fail |
 //! | `reference` | cases of 25 digits from a third program |
-//! | `invariance` | symmetry, balance of force and moment, rigid motion, change of units |
+//! | `invariance`, `units` | symmetry, balance of force and moment, rigid motion, change of units |
 //! | `slopes` | error orders of the linearisation on the tangent plane |
 //! | `mutation` | every term dropped, doubled, flipped: each must be noticed |
-//! | `coverage` | every status, feature, return code and argument was seen |
+//! | `coverage` | every status and feature, every return code and argument that a safe caller can provoke, was seen |
 
+pub mod cases;
 pub mod coverage;
 pub mod edges;
 pub mod interpreted;
 pub mod invariance;
 pub mod mutation;
+mod points;
 pub mod random;
 pub mod reference;
+pub mod sequences;
 pub mod slopes;
 pub mod tables;
+mod units;
 
 use serde::Serialize;
 

@@ -9,7 +9,7 @@ use crate::configurations::{Configuration, Wanted};
 use crate::interpret::Change;
 use crate::oracle::solve::{self, Evaluation};
 use crate::subject::{self, Answer, Input, Subject};
-use crate::tolerance::{RANDOM, relative_error};
+use crate::tolerance::{ENERGY, NO_CHANGE, RANDOM, relative_error};
 
 /// States on which a mutant may be noticed.
 const STATES: u64 = 6;
@@ -49,7 +49,7 @@ impl Case {
         let answer = random::call(subject, &configuration, subject::Wanted::BOTH);
         Some(Self {
             parameters: subject.parameters(&configuration.pair),
-            history: subject.history(&configuration.start),
+            history: subject.history_of(&configuration),
             row: subject.slave_row(&configuration.pair),
             configuration,
             truth,
@@ -84,14 +84,21 @@ impl Case {
 pub fn prove(subject: &Subject, seed: u64) -> Mutants {
     let mut mutants = Mutants::default();
     let generator = random::generator(subject, seed);
-    let cases: Vec<Case> = (0..STATES)
-        .filter_map(|index| generator.generate(Wanted::Closed, index).ok())
+    let wanted: &[Wanted] = match &subject.template.tangential {
+        None => &[Wanted::Closed],
+        Some(_) => &[Wanted::Stick, Wanted::Slip],
+    };
+    let states = wanted
+        .iter()
+        .flat_map(|&w| (0..STATES).map(move |index| (w, index)));
+    let cases: Vec<Case> = states
+        .filter_map(|(wanted, index)| generator.generate(wanted, index).ok())
         .filter_map(|configuration| Case::new(subject, configuration))
         .collect();
     for case in &cases {
         unchanged(&mut mutants, subject, case);
     }
-    for place in [Place::Law, Place::Tangent, Place::Measure] {
+    for place in Place::ALL {
         let Some(program) = interpreted::program(subject, place) else {
             continue;
         };
@@ -101,21 +108,25 @@ pub fn prove(subject: &Subject, seed: u64) -> Mutants {
                 mutants.left_out.push(entry);
                 continue;
             }
-            if !reaches_an_output(subject, declared.tag) {
-                let reason = "the element gives no tangent".to_string();
-                mutants.left_out.push((declared.tag.to_string(), reason));
+            if let Some(reason) = unused(subject, declared.tag) {
+                let entry = (declared.tag.to_string(), reason.to_string());
+                mutants.left_out.push(entry);
+                continue;
+            }
+            let changed = |factor| (place, Change { term, factor });
+            if let Some(reason) = may_vanish(declared.tag)
+                && FACTORS
+                    .iter()
+                    .all(|&(_, factor)| !changes(subject, &cases, changed(factor)))
+            {
+                let entry = (declared.tag.to_string(), reason.to_string());
+                mutants.left_out.push(entry);
                 continue;
             }
             mutants.terms.push(declared.tag.to_string());
             for (name, factor) in FACTORS {
-                let mutation = (place, Change { term, factor });
-                let killed = cases
-                    .iter()
-                    .any(|case| case.notices(subject, &case.interpreted(subject, Some(mutation))))
-                    || (subject.description.tangent_plane
-                        && slopes::prove(subject, seed, Some(mutation)).finding.failed > 0);
                 mutants.made += 1;
-                if killed {
+                if noticed(subject, &cases, changed(factor), seed) {
                     mutants.killed += 1;
                 } else {
                     let line = format!("{}: {} {name}", subject.name(), declared.tag);
@@ -127,9 +138,64 @@ pub fn prove(subject: &Subject, seed: u64) -> Mutants {
     mutants
 }
 
-/// The slope of the law reaches an output only through the tangent.
-fn reaches_an_output(subject: &Subject, tag: &str) -> bool {
-    tag != "law-slope" || subject.description.descriptor.tangent
+fn noticed(subject: &Subject, cases: &[Case], mutation: Mutation, seed: u64) -> bool {
+    cases
+        .iter()
+        .any(|case| case.notices(subject, &case.interpreted(subject, Some(mutation))))
+        || (subject.description.tangent_plane
+            && slopes::prove(subject, seed, Some(mutation)).finding.failed > 0)
+}
+
+/// Why a term may vanish for a geometry although the program, which elements share, has it. It is left out only
+/// where no change of it moves any entry of R, K or the energy in any of the states.
+fn may_vanish(tag: &str) -> Option<&'static str> {
+    match tag {
+        "Q-bending" => Some("the second derivatives of the shape functions are zero"),
+        "Y-third" => Some("the third derivatives have no part along the normal"),
+        "Y-second" => Some("the second derivatives have no part in the tangent plane"),
+        "slip-metric" | "traction-metric" => Some("the metric of the geometry is constant"),
+        "sliding-direction" => Some("with one parameter the slip has no direction to change"),
+        _ => None,
+    }
+}
+
+/// Whether a change of a term moves anything beyond rounding.
+fn changes(subject: &Subject, cases: &[Case], mutation: Mutation) -> bool {
+    cases.iter().any(|case| {
+        let was = case.interpreted(subject, None);
+        let is = case.interpreted(subject, Some(mutation));
+        let moved = |is: &[f64], was: &[f64]| relative_error(is, was) > NO_CHANGE;
+        moved(&is.residual, &was.residual)
+            || moved(&is.tangent, &was.tangent)
+            || moved(&[is.energy], &[was.energy])
+    })
+}
+
+/// Why a term of a program that elements share does nothing in this one.
+fn unused(subject: &Subject, tag: &str) -> Option<&'static str> {
+    const SLOPES: [&str; 6] = [
+        "law-slope",
+        "bound-by-pressure",
+        "bound-by-slip",
+        "sliding-direction",
+        "sliding-path",
+        "sliding-pressure",
+    ];
+    if !subject.description.descriptor.tangent && SLOPES.contains(&tag) {
+        return Some("the element gives no tangent");
+    }
+    let law = subject.description.tangential?;
+    let depends = |tag: &str| {
+        let mut terms = law.friction.terms.iter();
+        terms.any(|term| term.tag == tag && term.present)
+    };
+    match tag {
+        "sliding-path" if !depends("bound-by-slip") => {
+            Some("the bound does not depend on the path")
+        }
+        "pressure-change" if law.sliding.is_none() => Some("the law has no bound"),
+        _ => None,
+    }
 }
 
 fn unchanged(mutants: &mut Mutants, subject: &Subject, case: &Case) {
@@ -140,8 +206,12 @@ fn unchanged(mutants: &mut Mutants, subject: &Subject, case: &Case) {
     } else {
         0.0
     };
+    let energy = if subject.description.descriptor.energy {
+        relative_error(&[found.energy], &case.answer.energy)
+    } else {
+        0.0
+    };
     let what = format!("{}: tables against compiled element", subject.name());
-    mutants
-        .unchanged
-        .compare(&what, residual.max(tangent), RANDOM);
+    let error = residual.max(tangent).max(energy * (RANDOM / ENERGY));
+    mutants.unchanged.compare(&what, error, RANDOM);
 }

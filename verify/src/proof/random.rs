@@ -5,11 +5,11 @@ use contact_elements::runtime::Status;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::{Finding, Worst};
+use super::{Finding, Worst, points};
 use crate::configurations::{Configuration, Freedom, GenerateError, Generator, Stream, Wanted};
 use crate::oracle::solve::{self, Evaluation, PointStatus};
 use crate::subject::{self, Answer, Input, Subject};
-use crate::tolerance::{ENERGY, RANDOM, relative_error};
+use crate::tolerance::{ENERGY, POINTS, RANDOM, relative_error};
 
 /// Work of a full hyper-dual tangent (entries times points) above which random directions are taken.
 const FULL_WORK: usize = 250;
@@ -25,6 +25,8 @@ pub struct Random {
     pub tangent: Worst,
     /// Energy.
     pub energy: Worst,
+    /// Output and trial history of the contact points.
+    pub points: Worst,
     /// Statuses that the element gave, by number.
     pub statuses: std::collections::BTreeMap<i32, u64>,
     /// Features beyond which projections lay.
@@ -38,6 +40,7 @@ impl Random {
         self.residual.merge(&other.residual);
         self.tangent.merge(&other.tangent);
         self.energy.merge(&other.energy);
+        self.points.merge(&other.points);
         for (status, count) in other.statuses {
             *self.statuses.entry(status).or_default() += count;
         }
@@ -63,7 +66,7 @@ pub fn prove(subject: &Subject, wanted: Wanted, states: u64, seed: u64) -> Optio
     let generator = generator(subject, seed);
     if matches!(
         generator.generate(wanted, 0),
-        Err(GenerateError::NeverOutside)
+        Err(GenerateError::NeverOutside | GenerateError::NeverSlips)
     ) {
         return None;
     }
@@ -88,26 +91,23 @@ fn one(subject: &Subject, generator: &Generator, wanted: Wanted, index: u64) -> 
     let answer = call(subject, &configuration, subject::Wanted::BOTH);
     record(&mut random, &answer);
     match wanted {
-        Wanted::Closed => closed(&mut random, subject, &configuration, &answer, index),
-        Wanted::Open => not_closed(
-            &mut random,
-            &answer,
-            index,
-            &[Status::Open, Status::Outside],
-        ),
+        Wanted::Open => open(&mut random, subject, &configuration, &answer, index),
         // beyond an edge the unconstrained stationary point need not exist
-        Wanted::Outside if !any_closed(&configuration) => not_closed(
-            &mut random,
-            &answer,
-            index,
-            &[
+        Wanted::Outside if !any_closed(&configuration) => {
+            let allowed = [
                 Status::Open,
                 Status::Outside,
                 Status::NotConverged,
                 Status::NotUnique,
-            ],
-        ),
-        Wanted::Outside => closed(&mut random, subject, &configuration, &answer, index),
+            ];
+            match not_closed(&answer, &allowed) {
+                None => random.finding.pass(),
+                Some(wrong) => random.finding.fail(format!("state {index}: {wrong}")),
+            }
+        }
+        Wanted::Closed | Wanted::Stick | Wanted::Slip | Wanted::Outside => {
+            closed(&mut random, subject, &configuration, &answer, index);
+        }
     }
     random
 }
@@ -124,7 +124,7 @@ pub fn call(subject: &Subject, configuration: &Configuration, wanted: subject::W
             reference: &configuration.reference,
             displacement: &configuration.displacement,
             parameters: &subject.parameters(&configuration.pair),
-            history: &subject.history(&configuration.start),
+            history: &subject.history_of(configuration),
             slave_row: &subject.slave_row(&configuration.pair),
         },
         wanted,
@@ -142,25 +142,39 @@ fn record(random: &mut Random, answer: &Answer) {
     }
 }
 
-fn not_closed(random: &mut Random, answer: &Answer, index: u64, allowed: &[Status]) {
+/// What is wrong with the answer at a state without a closed point.
+fn not_closed(answer: &Answer, allowed: &[Status]) -> Option<String> {
     let Some(status) = answer.status() else {
-        random
-            .finding
-            .fail(format!("state {index}: {:?}", answer.outcome));
-        return;
+        return Some(format!("{:?}", answer.outcome));
     };
-    let cut_back = !matches!(status, Status::Open | Status::Outside | Status::Closed);
+    let cut_back = !status.is_closed() && !matches!(status, Status::Open | Status::Outside);
     let silent = if cut_back {
         answer.is_untouched()
     } else {
         answer.is_zero()
     };
-    if allowed.contains(&status) && silent {
-        random.finding.pass();
-    } else {
-        random.finding.fail(format!(
-            "state {index}: status {status:?}, outputs silent: {silent}"
-        ));
+    let fine = allowed.contains(&status) && silent;
+    (!fine).then(|| format!("status {status:?}, outputs silent: {silent}"))
+}
+
+fn open(
+    random: &mut Random,
+    subject: &Subject,
+    configuration: &Configuration,
+    answer: &Answer,
+    index: u64,
+) {
+    let compared = match not_closed(answer, &[Status::Open, Status::Outside]) {
+        None => points::error(subject, configuration, &configuration.points, answer),
+        Some(wrong) => Err(wrong),
+    };
+    match compared {
+        Ok(error) => {
+            random.points.absorb(error, index);
+            let what = format!("state {index}");
+            random.finding.compare(&what, error, POINTS);
+        }
+        Err(wrong) => random.finding.fail(format!("state {index}: {wrong}")),
     }
 }
 
@@ -182,24 +196,33 @@ fn closed(
             return;
         }
     };
-    if answer.status() != Some(Status::Closed) {
+    let statuses = truth.points.iter().filter_map(points::status);
+    let expected = statuses.max_by_key(|status| status.rank());
+    if answer.status() != expected {
         random.finding.fail(format!(
-            "state {index}: {:?} instead of closed",
+            "state {index}: {:?} instead of {expected:?}",
             answer.outcome
         ));
         return;
     }
-    if let Some(wrong) = wrong_point(&truth, answer) {
-        random.finding.fail(format!("state {index}: {wrong}"));
-        return;
-    }
+    let points = match points::error(subject, configuration, &truth.points, answer) {
+        Ok(points) => points,
+        Err(wrong) => {
+            random.finding.fail(format!("state {index}: {wrong}"));
+            return;
+        }
+    };
+    random.points.absorb(points, index);
     let residual = relative_error(&answer.residual, &truth.residual);
     random.residual.absorb(residual, index);
     let energy = energy_error(subject, answer, &truth);
     random.energy.absorb(energy, index);
     let tangent = tangent_error(subject, answer, &truth, &directions);
     random.tangent.absorb(tangent, index);
-    let worst = residual.max(tangent).max(energy * (RANDOM / ENERGY));
+    let worst = residual
+        .max(tangent)
+        .max(energy * (RANDOM / ENERGY))
+        .max(points * (RANDOM / POINTS));
     random
         .finding
         .compare(&format!("state {index}"), worst, RANDOM);
@@ -228,33 +251,6 @@ fn truth(
     }
 }
 
-/// A contact point whose status or gap differs from the oracle's.
-fn wrong_point(truth: &Evaluation, answer: &Answer) -> Option<String> {
-    let points = answer.output.chunks_exact(OUTPUT_SIZE);
-    for (number, (expected, found)) in truth.points.iter().zip(points).enumerate() {
-        let status = match expected.status {
-            PointStatus::Open => Status::Open,
-            PointStatus::Closed => Status::Closed,
-            PointStatus::Outside(_) => Status::Outside,
-            PointStatus::Degenerate | PointStatus::NotConverged => continue,
-        };
-        if found[0] != f64::from(status as i32) {
-            return Some(format!(
-                "point {number}: status {} instead of {status:?}",
-                found[0]
-            ));
-        }
-        let wrong_gap = (found[1] - expected.gap).abs() > 1e-10 * (1.0 + expected.gap.abs());
-        if status == Status::Closed && wrong_gap {
-            return Some(format!(
-                "point {number}: gap {} instead of {}",
-                found[1], expected.gap
-            ));
-        }
-    }
-    None
-}
-
 fn energy_error(subject: &Subject, answer: &Answer, truth: &Evaluation) -> f64 {
     if !subject.description.descriptor.energy || truth.energy.is_nan() {
         return 0.0;
@@ -264,7 +260,7 @@ fn energy_error(subject: &Subject, answer: &Answer, truth: &Evaluation) -> f64 {
 
 /// Error of the tangent relative to its largest entry; or of its product with the directions, relative to the
 /// largest sum of absolute terms, because the terms of a product may cancel.
-fn tangent_error(
+pub(super) fn tangent_error(
     subject: &Subject,
     answer: &Answer,
     truth: &Evaluation,

@@ -1,11 +1,12 @@
 //! Error orders of elements linearised on the tangent plane: D²g is off by O(L), the whole tangent by O(L²)
-//! where r0 = 0. A form that agrees to rounding at L ≠ 0 means that the check sees nothing.
+//! where r0 = 0. With friction, at a given tangential force, the whole tangent and the balance of moment are off by
+//! O(L). A form that agrees to rounding at L ≠ 0 means that the check sees nothing.
 
 use serde::Serialize;
 
 use super::interpreted::{self, Mutation};
 use super::{Finding, random};
-use crate::configurations::{Configuration, Wanted};
+use crate::configurations::{Configuration, Generator, Wanted};
 use crate::oracle::pair::GapKind;
 use crate::oracle::solve::{self, PointReport, Start, State};
 use crate::subject::{self, Input, Subject};
@@ -23,6 +24,10 @@ pub struct Slopes {
     pub hessian: Option<(f64, f64)>,
     /// Fitted order of the error of the whole tangent where r0 = 0.
     pub tangent: Option<(f64, f64)>,
+    /// Fitted order of the error of the whole tangent with friction.
+    pub friction: Option<(f64, f64)>,
+    /// Fitted order of the moment that friction leaves.
+    pub moment: Option<(f64, f64)>,
     /// L and error of D²g of the first state.
     pub series: Vec<(f64, f64)>,
     /// Outcome.
@@ -39,7 +44,103 @@ pub fn prove(subject: &Subject, seed: u64, mutation: Option<Mutation>) -> Slopes
             Err(error) => slopes.finding.fail(format!("state {index}: {error}")),
         }
     }
+    if subject.template.tangential.is_some() {
+        frictional(&mut slopes, subject, &generator, mutation);
+    }
     slopes
+}
+
+/// States that stick and states that slip; all forces stay while L goes to zero.
+fn frictional(
+    slopes: &mut Slopes,
+    subject: &Subject,
+    generator: &Generator,
+    mutation: Option<Mutation>,
+) {
+    for (wanted, index) in [(Wanted::Stick, 0), (Wanted::Slip, 0), (Wanted::Slip, 1)] {
+        // the first states that remember something
+        let made = (0..20).filter_map(|k| generator.generate(wanted, 20 * index + k).ok());
+        let has_force = |c: &Configuration| {
+            let friction = c.points[0].friction;
+            friction.is_some_and(|f| f.utilisation > 0.05)
+        };
+        let Some(configuration) = made.into_iter().find(has_force) else {
+            slopes.finding.fail(format!("no state for {wanted:?}"));
+            continue;
+        };
+        let (mut tangent, mut moment) = (Vec::new(), Vec::new());
+        for fraction in FRACTIONS {
+            let moved = loaded(&configuration, fraction);
+            match frictional_errors(subject, &moved, mutation) {
+                Some((distance, of_tangent, of_moment)) => {
+                    tangent.push((distance, of_tangent));
+                    moment.push((distance, of_moment));
+                }
+                None => {
+                    return slopes
+                        .finding
+                        .fail(format!("{wanted:?} not at {fraction} L"));
+                }
+            }
+        }
+        let Slopes {
+            friction,
+            moment: of_moment,
+            finding,
+            ..
+        } = slopes;
+        judge(
+            finding,
+            friction,
+            "tangent with friction",
+            &tangent,
+            Order::AtLeast(1.0),
+        );
+        judge(finding, of_moment, "moment", &moment, Order::Exactly(1.0));
+    }
+}
+
+/// The foot at `fraction` of its distance; r0 keeps the gap, and with it pressure, bound and slip.
+fn loaded(configuration: &Configuration, fraction: f64) -> Configuration {
+    let point = configuration.points[0];
+    let distance = point.gap + configuration.pair.r0;
+    let mut moved = moved(configuration, &point, fraction);
+    moved.start = vec![point.zeta];
+    moved.pair.r0 = fraction * distance - point.gap;
+    moved
+}
+
+/// Distance, error of the tangent, and moment over tangential force and arm, at a state with friction.
+fn frictional_errors(
+    subject: &Subject,
+    configuration: &Configuration,
+    mutation: Option<Mutation>,
+) -> Option<(f64, f64, f64)> {
+    let truth = solve::evaluate(&configuration.pair, &configuration.state()).ok()?;
+    let parameters = subject.parameters(&configuration.pair);
+    let history = subject.history_of(configuration);
+    let input = Input {
+        reference: &configuration.reference,
+        displacement: &configuration.displacement,
+        parameters: &parameters,
+        history: &history,
+        slave_row: &[],
+    };
+    let answer = subject.call(&input, subject::Wanted::BOTH);
+    answer.status().filter(|status| status.is_closed())?;
+    let tangent = match mutation {
+        None => answer.tangent.clone(),
+        Some(_) => interpreted::evaluate(subject, &input, &answer, mutation).tangent,
+    };
+    let (_, moment) = super::invariance::imbalance(configuration, &answer.residual);
+    let largest = answer.residual.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
+    let report = truth.points.first()?;
+    let [first, second] = report.friction?.components;
+    Some((
+        (report.gap + configuration.pair.r0).abs(),
+        relative_error(&tangent, &truth.tangent),
+        moment * largest / first.hypot(second),
+    ))
 }
 
 fn state(
@@ -72,7 +173,7 @@ fn state(
         &mut slopes.hessian,
         "D²g",
         &hessian,
-        1.0,
+        Order::Exactly(1.0),
     );
     if signed && configuration.pair.r0 == 0.0 {
         judge(
@@ -80,7 +181,7 @@ fn state(
             &mut slopes.tangent,
             "tangent",
             &tangent,
-            2.0,
+            Order::Exactly(2.0),
         );
     }
     if slopes.series.is_empty() {
@@ -121,13 +222,14 @@ fn errors(
         reference: &configuration.reference,
         displacement: &configuration.displacement,
         start: Start::Given(std::slice::from_ref(&point.zeta)),
+        friction: &[],
     };
     let truth = solve::evaluate(&configuration.pair, &state).ok()?;
     let exact = solve::solve_point(&configuration.pair, &state, 0)
         .ok()?
         .gap_hessian();
     let parameters = subject.parameters(&configuration.pair);
-    let history = subject.history(std::slice::from_ref(&point.zeta));
+    let history = subject.history(std::slice::from_ref(&point.zeta), &[]);
     let row = subject.slave_row(&configuration.pair);
     let input = Input {
         reference: &configuration.reference,
@@ -137,7 +239,7 @@ fn errors(
         slave_row: &row,
     };
     let answer = subject.call(&input, subject::Wanted::BOTH);
-    answer.status().filter(|status| *status as i32 == 1)?;
+    answer.status().filter(|status| status.is_closed())?;
     let (residual, tangent) = match mutation {
         None => (answer.residual.clone(), answer.tangent.clone()),
         Some(_) => {
@@ -157,11 +259,9 @@ fn errors(
             (tangent[at] - main) / scale
         })
         .collect();
-    let distance = (point.gap + configuration.pair.r0 / fraction) * fraction;
-    let distance = if configuration.pair.gap == GapKind::Signed {
-        point.gap * fraction
-    } else {
-        distance
+    let distance = match configuration.pair.gap {
+        GapKind::Signed => point.gap * fraction,
+        GapKind::Distance => (point.gap + configuration.pair.r0 / fraction) * fraction,
     };
     Some((
         distance.abs(),
@@ -170,12 +270,19 @@ fn errors(
     ))
 }
 
+/// What the order of an error must be.
+#[derive(Clone, Copy)]
+enum Order {
+    Exactly(f64),
+    AtLeast(f64),
+}
+
 fn judge(
     finding: &mut Finding,
     range: &mut Option<(f64, f64)>,
     what: &str,
     series: &[(f64, f64)],
-    order: f64,
+    order: Order,
 ) {
     let largest = series.first().map_or(0.0, |first| first.1);
     if largest < SLOPE_FLOOR {
@@ -190,7 +297,11 @@ fn judge(
         None => (slope, slope),
         Some((low, high)) => (low.min(slope), high.max(slope)),
     });
-    if (slope - order).abs() <= SLOPE * order {
+    let (fits, order) = match order {
+        Order::Exactly(order) => ((slope - order).abs() <= SLOPE * order, order),
+        Order::AtLeast(order) => (slope >= (1.0 - SLOPE) * order, order),
+    };
+    if fits {
         finding.pass();
     } else {
         finding.fail(format!("{what}: order {slope:.3} instead of {order}"));

@@ -1,7 +1,10 @@
 //! Tables against the emitted code (bit for bit) and against duals (derivatives).
 
+mod sliding;
+
 use contact_elements::program::{
     GeometryPrograms, LawPrograms, MasterDescription, Program, SlaveDescription,
+    TangentialLawPrograms,
 };
 use num_dual::Dual64;
 
@@ -51,6 +54,17 @@ fn laws(subjects: &[Subject]) -> Vec<&'static LawPrograms> {
     list
 }
 
+/// The tangential laws of the subjects, each once.
+fn tangential_laws(subjects: &[Subject]) -> Vec<&'static TangentialLawPrograms> {
+    let mut list: Vec<&TangentialLawPrograms> = vec![];
+    for law in subjects.iter().filter_map(|s| s.description.tangential) {
+        if list.iter().all(|known| known.name != law.name) {
+            list.push(law);
+        }
+    }
+    list
+}
+
 /// All programs of the built-in library and of the subjects.
 pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
     let mut finding = Finding::default();
@@ -76,12 +90,22 @@ pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
         }
         law_derivatives(&mut finding, law, seed);
     }
+    for law in tangential_laws(subjects) {
+        bits(&mut finding, law.name, &law.friction, seed);
+        if let Some(sliding) = &law.sliding {
+            bits(&mut finding, law.name, sliding, seed);
+        }
+        sliding::derivatives(&mut finding, law, seed);
+    }
     for subject in subjects {
         let programs = subject.description.programs;
         for program in [
             Some(&programs.gap),
             programs.tangent.as_ref(),
             programs.measure.as_ref(),
+            programs.frame.as_ref(),
+            programs.tangential_residual.as_ref(),
+            programs.tangential_tangent.as_ref(),
         ]
         .into_iter()
         .flatten()

@@ -60,19 +60,38 @@ pub fn interpolated_master() -> Diagnostic {
 }
 
 /// A law where a geometry is meant.
-pub fn law_as_geometry(name: &str, entry: &str) -> Diagnostic {
+pub fn law_as_geometry(name: &str, kind: &str, entry: &str) -> Diagnostic {
     Diagnostic::new(
-        format!("`{name}` is a normal law, but `{entry}` must be a geometry"),
-        format!("write `normal: {name};` and name a geometry here"),
+        format!("`{name}` is a {kind} law, but `{entry}` must be a geometry"),
+        format!("write `{kind}: {name};` and name a geometry here"),
     )
 }
 
 /// A geometry where a law is meant.
-pub fn geometry_as_law(name: &str, kind: &str) -> Diagnostic {
+pub fn geometry_as_law(name: &str, kind: &str, entry: &str) -> Diagnostic {
     Diagnostic::new(
-        format!("`{name}` is a {kind}, but `normal` must be a normal law"),
-        "name a law, such as `Penalty`",
+        format!("`{name}` is a {kind}, but `{entry}` must be a {entry} law"),
+        format!("name a law, such as `{}`", example_of_law(entry)),
     )
+}
+
+/// A law of one kind where one of the other is meant.
+pub fn law_as_other_law(name: &str, kind: &str, entry: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{name}` is a {kind} law, but `{entry}` must be a {entry} law"),
+        format!(
+            "write `{kind}: {name};` and name a {entry} law here, such as `{}`",
+            example_of_law(entry)
+        ),
+    )
+}
+
+/// A law for the entry `normal` or `tangential`, as hints propose it.
+fn example_of_law(entry: &str) -> &'static str {
+    match entry {
+        "normal" => "Penalty",
+        _ => "Coulomb",
+    }
 }
 
 /// A rigid slave.
@@ -208,10 +227,66 @@ pub fn tangent_plane_without_projection(master: &str) -> Diagnostic {
     )
 }
 
-/// A law and a geometry with a parameter of the same name.
-pub fn parameter_of_both(name: &str, law: &str, geometry: &str) -> Diagnostic {
+/// A tangential law where nothing is projected.
+pub fn tangential_without_projection(law: &str, master: &str, is_point: bool) -> Diagnostic {
+    let hint = match is_point {
+        true => "remove `tangential`, or make the master a curve or a surface to slide along",
+        false => "name the body as a rigid curve or surface instead, such as `Plane` or `Sphere`",
+    };
     Diagnostic::new(
-        format!("both `{law}` and `{geometry}` have a parameter `{name}`"),
+        format!("`tangential: {law}` needs a projection, but `{master}` has none"),
+        hint,
+    )
+}
+
+/// A law with two axes where there is one direction.
+pub fn axes_of_one_direction(law: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{law}` has two axes, but this pair slides in one direction only"),
+        "name a law with one stiffness, such as `Coulomb`",
+    )
+}
+
+/// A law with two axes without the direction of the first.
+pub fn axis_missing(law: &str, slave_has_direction: bool) -> Diagnostic {
+    let slave = match slave_has_direction {
+        true => " or `axis: slave;` (along the slave curve)",
+        false => "",
+    };
+    Diagnostic::new(
+        format!("`{law}` has two axes and needs an entry `axis`"),
+        format!("add `axis: convected;` (a direction on the master, given at run time){slave}"),
+    )
+}
+
+/// An axis of a law that has none.
+pub fn axis_of_isotropic_law(law: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{law}` has one stiffness for all directions: it takes no `axis`"),
+        "remove `axis`, or name a law with two stiffnesses, such as `CoulombOrthotropic`",
+    )
+}
+
+/// An axis without a tangential law.
+pub fn axis_without_law() -> Diagnostic {
+    Diagnostic::new(
+        "`axis` belongs to a tangential law, but the element has none",
+        "add `tangential: CoulombOrthotropic;`, or remove `axis`",
+    )
+}
+
+/// `axis: slave` of a slave that has no direction of its own.
+pub fn slave_without_direction() -> Diagnostic {
+    Diagnostic::new(
+        "`axis: slave` needs a slave curve with integration points",
+        "write `axis: convected;`: the direction on the master is given at run time",
+    )
+}
+
+/// Two of the laws and the geometry of an element with a parameter of the same name.
+pub fn parameter_of_both(name: &str, law: &str, other: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("both `{law}` and `{other}` have a parameter `{name}`"),
         "rename it in one of the two declarations: an element lists its parameters by name",
     )
 }

@@ -165,9 +165,9 @@ pub fn unknown_geometry(name: &str, known: &[String]) -> Diagnostic {
 }
 
 /// A law that was declared nowhere.
-pub fn unknown_law(name: &str, known: &[String]) -> Diagnostic {
+pub fn unknown_law(kind: &str, name: &str, known: &[String]) -> Diagnostic {
     Diagnostic::new(
-        format!("unknown normal law `{name}`"),
+        format!("unknown {kind} law `{name}`"),
         near_or_all(name, known, "declare it"),
     )
 }
@@ -176,6 +176,9 @@ pub fn unknown_law(name: &str, known: &[String]) -> Diagnostic {
 pub fn unknown_entry(name: &str, item: &str, entries: &[&str]) -> Diagnostic {
     let hint = match nearest(name, entries.iter().copied()) {
         Some(near) => format!("did you mean `{near}`?"),
+        None if name == "friction" && entries.contains(&"tangential") => {
+            "did you mean `tangential`?".to_string()
+        }
         None => format!("{item} has the entries {}", list(entries, "and")),
     };
     Diagnostic::new(format!("{item} has no entry `{name}`"), hint)

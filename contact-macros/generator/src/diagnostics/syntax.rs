@@ -3,7 +3,14 @@
 use super::{Diagnostic, suggest::nearest};
 
 /// The words that start an item.
-pub const ITEMS: [&str; 5] = ["surface", "curve", "rigid", "normal", "element"];
+pub const ITEMS: [&str; 6] = [
+    "surface",
+    "curve",
+    "rigid",
+    "normal",
+    "tangential",
+    "element",
+];
 
 /// How numbers are written.
 const DECIMAL: &str = "numbers are decimal, such as `2`, `0.5` or `1e-3`";
@@ -13,10 +20,11 @@ pub fn unknown_item(found: &str) -> Diagnostic {
     let hint = match (found, nearest(found, ITEMS)) {
         ("distance", _) => "did you mean `rigid distance`?".to_string(),
         ("export", _) => "`export PREFIX;` stands once, before all items".to_string(),
-        ("law", _) => "did you mean `normal law`?".to_string(),
+        ("law", _) => "did you mean `normal law` or `tangential law`?".to_string(),
+        ("friction", _) => "did you mean `tangential law`?".to_string(),
         (_, Some(name)) => format!("did you mean `{name}`?"),
         (_, None) => "an item starts with `surface`, `curve`, `rigid surface`, `rigid curve`, \
-                      `rigid distance`, `normal law` or `element`"
+                      `rigid distance`, `normal law`, `tangential law` or `element`"
             .to_string(),
     };
     Diagnostic::new(format!("unknown item `{found}`"), hint)
@@ -31,11 +39,15 @@ pub fn unknown_rigid(found: &str) -> Diagnostic {
     Diagnostic::new(format!("unknown kind of rigid geometry `{found}`"), hint)
 }
 
-/// `normal` is not followed by `law`.
-pub fn normal_without_law(found: &str) -> Diagnostic {
+/// `normal` or `tangential` is not followed by `law`.
+pub fn word_without_law(word: &str, found: &str) -> Diagnostic {
+    let hint = match word {
+        "normal" => "write `normal law Name(g; parameter: \"unit\") { N = ..; }`",
+        _ => "write `tangential law Name(pressure, slip; parameter: \"unit\") { stiffness = ..; }`",
+    };
     Diagnostic::new(
-        format!("expected `law` after `normal`, found {found}"),
-        "write `normal law Name(g; parameter: \"unit\") { N = ..; }`",
+        format!("expected `law` after `{word}`, found {found}"),
+        hint,
     )
 }
 

@@ -145,6 +145,22 @@ fn evaluations(prefix: &Ident) -> TokenStream {
             quote!(abi::element_history_init(element, history)),
         ),
         f(
+            "history_transfer",
+            quote!(from: *const abi::Descriptor, from_output: *const f64, from_history: *const f64,
+                to: *const abi::Descriptor, to_output: *const f64, to_history: *mut f64,
+                argument: *mut i32),
+            quote!(i32),
+            quote!(abi::history_transfer(
+                from,
+                from_output,
+                from_history,
+                to,
+                to_output,
+                to_history,
+                argument
+            )),
+        ),
+        f(
             "element_evaluate",
             quote!(element: *const abi::Descriptor, arguments: *mut abi::Arguments),
             quote!(i32),
@@ -244,6 +260,7 @@ fn table(prefix: &Ident) -> TokenStream {
         "status_message",
         "argument_name",
         "element_message",
+        "history_transfer",
     ];
     let names = fields.iter().map(|name| format_ident!("{name}"));
     let values = fields.iter().map(|name| entry(name));
@@ -261,6 +278,7 @@ fn fortran(prefix: &Ident) -> TokenStream {
     let evaluate = format_ident!("{}_f77_evaluate_", prefix);
     let info = format_ident!("{}_f77_info_", prefix);
     let history = format_ident!("{}_f77_history_init_", prefix);
+    let transfer = format_ident!("{}_f77_history_transfer_", prefix);
     quote! {
         /// `CTE_F77_EVALUATE` of the C header for this library.
         #[unsafe(no_mangle)]
@@ -292,6 +310,22 @@ fn fortran(prefix: &Ident) -> TokenStream {
         pub unsafe extern "C" fn #history(element: *const i32, values: *mut f64, code: *mut i32) {
             // SAFETY: the caller keeps the promises of the C header.
             unsafe { abi::fortran::history_init(&ELEMENTS, element, values, code) }
+        }
+        /// `CTE_F77_HISTORY_TRANSFER` of the C header for this library.
+        #[unsafe(no_mangle)]
+        #[allow(clippy::too_many_arguments)]
+        pub unsafe extern "C" fn #transfer(
+            from: *const i32, from_output: *const f64, from_history: *const f64,
+            to: *const i32, to_output: *const f64, to_history: *mut f64, argument: *mut i32,
+            code: *mut i32,
+        ) {
+            // SAFETY: the caller keeps the promises of the C header.
+            unsafe {
+                abi::fortran::transfer(
+                    &ELEMENTS, (from, from_output, from_history), (to, to_output, to_history),
+                    (argument, code),
+                )
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::linearise::geometry::{
     curved, projection_program, rigid_program, rigid_third_program, shape_program,
     shape_third_program,
 };
-use crate::linearise::{distance, second_derivatives};
+use crate::linearise::{distance, second_derivatives, third_derivatives};
 use crate::model::{Body, Geometry};
 
 /// The type of a geometry, its trait implementation and its tables.
@@ -88,6 +88,23 @@ fn block(start: usize, rows: usize, width: usize) -> TokenStream {
     quote! { [#(#rows),*] }
 }
 
+/// The rows 111, 112, 122, 222 of `width` entries from the output array `o`; a curve has the first only.
+fn third_rows(p: usize, width: usize) -> TokenStream {
+    let given = third_derivatives(p);
+    let rows = (0..4).map(|row| {
+        let entries = (0..width).map(|k| {
+            let index = row * width + k;
+            if row < given {
+                quote! { o[#index] }
+            } else {
+                quote! { 0.0 }
+            }
+        });
+        quote! { [#(#entries),*] }
+    });
+    quote! { [#(#rows),*] }
+}
+
 fn shape(geometry: &Geometry) -> TokenStream {
     let Body::Shape {
         functions,
@@ -105,10 +122,14 @@ fn shape(geometry: &Geometry) -> TokenStream {
     let affine = curved(geometry).iter().all(|&curved| !curved);
     let flags = (0..n).map(|a| vectors.contains(&a));
     let zeta = (0..p).map(|i| quote! { zeta[#i] });
+    let zeta_third = zeta.clone();
     let weight = (0..weights).map(|a| quote! { weights[#a] });
+    let weight_third = weight.clone();
     let values = (0..n).map(|a| quote! { o[#a] });
     let first = block(n, p, n);
     let second = block(n * (1 + p), h, n);
+    let third_inputs = quote! { &[#(#zeta_third,)* #(#weight_third),*] };
+    let third = third_rows(p, n);
     quote! {
         impl runtime::Shape<#p, #h, #n> for #name {
             const DOMAIN: runtime::Domain = #domain;
@@ -127,6 +148,15 @@ fn shape(geometry: &Geometry) -> TokenStream {
                 };
                 let o = rows(&[#(#zeta,)* #(#weight),*]);
                 runtime::ShapeRows { n: [#(#values),*], d1: #first, d2: #second }
+            }
+            #[inline(always)]
+            #[allow(unused_variables)]
+            fn third(zeta: &[f64; #p], weights: &[f64]) -> [[f64; #n]; 4] {
+                let Some(weights) = weights.first_chunk::<#weights>() else {
+                    return [[0.0; #n]; 4];
+                };
+                let o = rows_third(#third_inputs);
+                #third
             }
         }
     }
@@ -147,6 +177,8 @@ fn rigid(geometry: &Geometry) -> TokenStream {
     let domain = domain(&geometry.domain);
     let affine = curved(geometry).iter().all(|&curved| !curved);
     let zeta = (0..p).map(|i| quote! { zeta[#i] });
+    let zeta_third = zeta.clone();
+    let third = third_rows(p, d);
     let parameters: Vec<TokenStream> = (0..count).map(|k| quote! { parameters[#k] }).collect();
     let values = (0..d).map(|k| quote! { o[#k] });
     let first = block(d, p, d);
@@ -172,6 +204,14 @@ fn rigid(geometry: &Geometry) -> TokenStream {
                 };
                 let o = position(&[#(#zeta,)* #(#parameters),*]);
                 runtime::Vectors { r: [#(#values),*], b: #first, second: #second }
+            }
+            #[inline(always)]
+            fn third(zeta: &[f64; #p], parameters: &[f64]) -> [[f64; #d]; 4] {
+                let Some(parameters) = parameters.first_chunk::<#count>() else {
+                    return [[0.0; #d]; 4];
+                };
+                let o = position_third(&[#(#zeta_third,)* #(#parameters),*]);
+                #third
             }
             #[inline(always)]
             fn projection(x: &[f64; #d], parameters: &[f64]) -> Option<[f64; #p]> {

@@ -8,12 +8,14 @@ mod law;
 mod parameters;
 mod program;
 mod rule;
+mod tangential_law;
 
-pub use element::emit_element;
+pub use element::{emit_element, emit_friction};
 pub use export::{emit_export, symbol_name};
 pub use geometry::emit_geometry;
 pub use law::emit_law;
 pub use parameters::Parameters;
+pub use tangential_law::emit_tangential_law;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -25,8 +27,8 @@ fn imports() -> TokenStream {
     quote! {
         #[allow(unused_imports)]
         use ::contact_elements::program::{
-            ElementDescription, ElementPrograms, GeometryPrograms, LawPrograms, MasterDescription,
-            Operation, Program, SlaveDescription, Term,
+            AxisDescription, ElementDescription, ElementPrograms, GeometryPrograms, LawPrograms,
+            MasterDescription, Operation, Program, SlaveDescription, TangentialLawPrograms, Term,
         };
         #[allow(unused_imports)]
         use ::contact_elements::runtime;

@@ -1,10 +1,11 @@
-//! The parameter list of an element: law, offset, orientation, geometry, weights, point, placement.
+//! The parameter list of an element: laws, offset, orientation, geometry, weights, point, axis,
+//! placement.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::number;
-use crate::model::{Body, Element, Gap, Geometry, Master, Parameter, Rule, Slave};
+use crate::model::{Axis, Body, Element, Gap, Geometry, Master, Parameter, Rule, Slave};
 
 /// One parameter as the descriptor shows it.
 pub struct Entry {
@@ -24,12 +25,14 @@ pub struct Entry {
 pub struct Parameters {
     /// All entries in order.
     pub entries: Vec<Entry>,
+    tangential: usize,
     r0: usize,
     orientation: Option<usize>,
     geometry: usize,
     master_weights: usize,
     slave_weights: usize,
     point: usize,
+    axis: Option<usize>,
     placement: Option<usize>,
 }
 
@@ -37,6 +40,14 @@ impl Parameters {
     /// The list of `element`.
     pub fn new(element: &Element) -> Self {
         let mut entries: Vec<Entry> = element.law.parameters.iter().map(declared).collect();
+        let tangential = entries.len();
+        let friction = element.tangential.as_ref();
+        entries.extend(
+            friction
+                .iter()
+                .flat_map(|t| &t.law.parameters)
+                .map(declared),
+        );
         let infinity = f64::INFINITY;
         let signed = element.gap == Gap::Signed;
         let lowest = if signed { -infinity } else { 0.0 };
@@ -70,18 +81,26 @@ impl Parameters {
             }
             entries.push(free("weight", "1", 0.0, infinity));
         }
+        let axis = friction
+            .is_some_and(|t| t.axis == Some(Axis::Convected))
+            .then_some(entries.len());
+        if axis.is_some() {
+            entries.extend(["axis_1", "axis_2"].map(|name| free(name, "1", -infinity, infinity)));
+        }
         let placement = placed.then_some(entries.len());
         if placed {
             entries.extend(placement_entries(element.dimension));
         }
         Self {
             entries,
+            tangential,
             r0,
             orientation,
             geometry,
             master_weights,
             slave_weights,
             point,
+            axis,
             placement,
         }
     }
@@ -111,6 +130,11 @@ impl Parameters {
         self.point
     }
 
+    /// Offset of the components of a convected axis.
+    pub fn axis(&self) -> usize {
+        self.axis.unwrap_or(self.entries.len())
+    }
+
     /// The `Layout` constant.
     pub fn layout(&self) -> TokenStream {
         let option = |value: Option<usize>| match value {
@@ -120,15 +144,18 @@ impl Parameters {
         let (r0, geometry) = (self.r0, self.geometry);
         let (master, slave, point) = (self.master_weights, self.slave_weights, self.point);
         let (orientation, placement) = (option(self.orientation), option(self.placement));
+        let (tangential, axis) = (self.tangential, option(self.axis));
         let count = self.entries.len();
         quote! {
             runtime::Layout {
+                tangential: #tangential,
                 r0: #r0,
                 orientation: #orientation,
                 geometry: #geometry,
                 master_weights: #master,
                 slave_weights: #slave,
                 point: #point,
+                axis: #axis,
                 placement: #placement,
                 count: #count,
             }

@@ -26,21 +26,49 @@ impl Emitted {
         Self { program, function }
     }
 
+    /// A program whose function several elements share: its name holds a hash of the operations.
+    pub fn shared(program: &Program) -> Self {
+        let mut emitted = Self::new(program, "");
+        let hash = fnv(&emitted.table().to_string());
+        emitted.function = format_ident!("{}_{:016x}", program.name, hash);
+        emitted
+    }
+
+    /// The shared function, guarded against zero divisors, and its table as a constant of the same name.
+    pub fn shared_items(&self) -> TokenStream {
+        let function = self.function_with(
+            &self.all_outputs(),
+            guarded,
+            &quote! { #[inline(never)] pub(super) },
+        );
+        let (table, constant) = (self.table(), self.constant());
+        quote! {
+            #function
+            pub(super) const #constant: Program = #table;
+        }
+    }
+
+    /// Name of the constant table of a shared program.
+    pub fn constant(&self) -> Ident {
+        format_ident!("{}_TABLE", self.function)
+    }
+
     /// The function: `fn name(i: &[f64; n]) -> [f64; m]`.
     pub fn function(&self, indices: &[usize]) -> TokenStream {
-        self.function_with(indices, operation)
+        self.function_with(indices, operation, &quote! { #[inline(always)] })
     }
 
     /// The function with all outputs, which divides by 1 instead of 0 and takes a negative radicand as 0:
     /// it raises no floating-point exception where the plain one would.
     pub fn guarded_function(&self) -> TokenStream {
-        self.function_with(&self.all_outputs(), guarded)
+        self.function_with(&self.all_outputs(), guarded, &quote! { #[inline(always)] })
     }
 
     fn function_with(
         &self,
         indices: &[usize],
         operation: fn(&Program, Node) -> TokenStream,
+        inline: &TokenStream,
     ) -> TokenStream {
         let name = &self.function;
         let inputs = self.program.inputs.len();
@@ -57,8 +85,8 @@ impl Emitted {
             .map(|&index| operand(&self.program, self.program.outputs[index].1));
         quote! {
             #[doc = #comment]
-            #[inline(always)]
             #[allow(clippy::all, unused_variables)]
+            #inline
             fn #name(i: &[f64; #inputs]) -> [f64; #outputs] {
                 #body
                 [#(#results),*]
@@ -127,6 +155,13 @@ impl Emitted {
             }
         }
     }
+}
+
+/// FNV-1a hash of a text.
+pub fn fnv(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
 }
 
 fn position(id: NodeId) -> u16 {

@@ -76,13 +76,26 @@ impl Program {
     /// Marks `coefficient` as the coefficient of the term with equation tag `tag`. Where nothing that
     /// reaches an output uses it, [`Program::settle_terms`] records it as left out for `reason`.
     pub fn term(&mut self, tag: &'static str, coefficient: NodeId, reason: &str) -> NodeId {
+        self.terms(tag, &[coefficient], reason)[0]
+    }
+
+    /// [`Program::term`] with several coefficients.
+    pub fn terms(
+        &mut self,
+        tag: &'static str,
+        coefficients: &[NodeId],
+        reason: &str,
+    ) -> Vec<NodeId> {
         let id = TermId(u16::try_from(self.terms.len()).expect("fewer than 65536 terms"));
         self.terms.push(Term {
             tag,
             present: true,
             reason: reason.to_string(),
         });
-        self.graph.term(coefficient, id)
+        coefficients
+            .iter()
+            .map(|&coefficient| self.graph.term(coefficient, id))
+            .collect()
     }
 
     /// Records a term that this form of the linearisation does not have.

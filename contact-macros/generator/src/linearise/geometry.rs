@@ -1,8 +1,8 @@
 //! Declared geometries and their derivatives to third order.
 
 use super::second_derivatives;
-use crate::ir::{NodeId, Program, Scope, differentiate, lower};
-use crate::model::{Body, Geometry};
+use crate::ir::{NodeId, Program, Scope, differentiate, interpret, lower};
+use crate::model::{Body, Geometry, Parameter};
 
 /// ζ, weights → N_A, N_A,i, N_A,ij in the order `n`, `d1` (i, A), `d2` (ij, A).
 pub fn shape_program(geometry: &Geometry) -> Program {
@@ -90,6 +90,52 @@ pub fn curved(geometry: &Geometry) -> Vec<bool> {
                 .any(|&(_, id)| !program.graph.is(id, 0.0))
         })
         .collect()
+}
+
+/// The period of each parameter of a rigid geometry: 2π where the position at a few samples repeats, else 0.
+/// A closed projection gives an angle up to whole turns; with the period the turn nearest to the start is
+/// found.
+pub fn periods(geometry: &Geometry) -> Vec<f64> {
+    let p = geometry.coordinates.len();
+    if !matches!(geometry.body, Body::Rigid { .. }) {
+        return vec![0.0; p];
+    }
+    let program = rigid_program(geometry);
+    let d = program.outputs.len() / (1 + p + second_derivatives(p));
+    let parameters: Vec<f64> = geometry.parameters.iter().map(sample).collect();
+    let position = |zeta: &[f64]| {
+        let inputs: Vec<f64> = zeta.iter().chain(&parameters).copied().collect();
+        interpret(&program, &inputs)[..d].to_vec()
+    };
+    let repeats = |i: usize| {
+        [[0.3, 0.7], [1.9, 0.2], [-2.2, 1.1]].iter().all(|sample| {
+            let mut turned = sample[..p].to_vec();
+            turned[i] += std::f64::consts::TAU;
+            let (first, last) = (position(&sample[..p]), position(&turned));
+            let size = first.iter().fold(1e-300, |size: f64, v| size.max(v.abs()));
+            let mut pairs = first.iter().zip(last);
+            pairs.all(|(a, b)| (a - b).abs() <= 1e-12 * size)
+        })
+    };
+    (0..p)
+        .map(|i| {
+            if repeats(i) {
+                std::f64::consts::TAU
+            } else {
+                0.0
+            }
+        })
+        .collect()
+}
+
+/// An admissible value of a parameter.
+fn sample(parameter: &Parameter) -> f64 {
+    match (parameter.lower, parameter.upper) {
+        (lower, upper) if lower.is_finite() && upper.is_finite() => 0.4 * lower + 0.6 * upper,
+        (lower, _) if lower.is_finite() => lower + 1.3,
+        (_, upper) if upper.is_finite() => upper - 1.3,
+        _ => 1.3,
+    }
 }
 
 /// N_A at ζ; rational ones are weighted and divided by their sum. [eq:rational]

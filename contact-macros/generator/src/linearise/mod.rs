@@ -12,6 +12,10 @@
 //! | `basis` | orthogonal tangents | [eq:orthogonal-basis] |
 //! | `distance` | gap and tangent of a rigid distance function | [eq:distance] |
 //! | `law` | N, N', W of a normal law | [eq:law] |
+//! | `frame` | orthonormal frame and slip | [eq:frame] [eq:slip] |
+//! | `sliding` | stiffness, bound, return to the bound | [eq:trial] [eq:return-map] [eq:ellipse] |
+//! | `tangential` | residual and tangent of tangential contact | [eq:tangential-residual] [eq:tangential-tangent] |
+//! | `row` | linear forms that `tangential` is written in | none |
 //! | `measure` | Jacobian of the slave and its variation | [eq:measure] |
 //! | `divisors` | what another program divides by | none |
 
@@ -21,11 +25,15 @@
 mod basis;
 pub mod distance;
 pub mod divisors;
+pub mod frame;
 pub mod gap;
 pub mod geometry;
 pub mod law;
 pub mod measure;
 pub mod normal;
+mod row;
+pub mod sliding;
+pub mod tangential;
 
 use crate::model::Linearisation;
 
@@ -60,6 +68,11 @@ impl Kinematics {
 /// Number of second derivatives of `p` parameters.
 pub fn second_derivatives(p: usize) -> usize {
     p * (p + 1) / 2
+}
+
+/// Number of third derivatives of `p` parameters; i + j + k is the position of one.
+pub fn third_derivatives(p: usize) -> usize {
+    if p == 0 { 0 } else { 3 * p - 2 }
 }
 
 /// Position of the pair i, j in the order 11, 12, 22.

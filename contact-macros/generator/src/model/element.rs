@@ -4,18 +4,23 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::pair::{Side, check_pair, master, only_gap, slave};
-use super::registry::{Entry, Registry};
-use super::types::{Element, Gap, Law, Linearisation, Master, Measure, Slave};
+use super::law_entries::{WrittenAxis, check_parameters, check_tangential, normal, tangential};
+use super::pair::{Side, check_pair, master, only_gap, plain, slave};
+use super::registry::Registry;
+use super::types::{
+    Axis, Element, Gap, Linearisation, Master, Measure, Slave, Tangential, TangentialLaw,
+};
 use crate::diagnostics::{Mistakes, element as messages, names};
 use crate::syntax::{self, ElementItem, Word};
 
 /// The entries of an element, in the order of the documentation.
-const ENTRIES: [&str; 8] = [
+const ENTRIES: [&str; 10] = [
     "dimension",
     "slave",
     "master",
     "normal",
+    "tangential",
+    "axis",
     "gap",
     "linearisation",
     "measure",
@@ -39,7 +44,10 @@ pub(super) fn element(
         .and_then(|entry| master(entry, registry, mistakes));
     let law = entries
         .require("normal", "normal: Penalty;", mistakes)
-        .and_then(|entry| law(entry, registry, mistakes));
+        .and_then(|entry| normal(entry, registry, mistakes));
+    let tangential = entries
+        .get("tangential")
+        .and_then(|entry| tangential(entry, registry, mistakes));
     let pair = match (dimension, &slave, &master) {
         (Some(dimension), Some(slave), Some(master))
             if check_pair(dimension, slave, master, mistakes) =>
@@ -48,9 +56,8 @@ pub(super) fn element(
         }
         _ => None,
     };
-    if let (Some(master), Some(law)) = (&master, &law) {
-        check_parameters(master, law, mistakes);
-    }
+    check_parameters(master.as_ref(), law.as_ref(), tangential.as_ref(), mistakes);
+    let axis = entries.axis(tangential.as_ref(), pair, mistakes);
     let gap = entries.gap(pair, mistakes);
     let linearisation = entries.linearisation(master.as_ref(), mistakes);
     let measure = entries.measure(slave.as_ref(), mistakes);
@@ -65,58 +72,15 @@ pub(super) fn element(
         slave: slave?.what,
         master: master?.what,
         law: law?.what,
+        tangential: tangential.map(|law| Tangential {
+            law: law.what,
+            axis,
+        }),
         gap: gap?,
         linearisation: linearisation?.what,
         measure: measure?,
         residual_only: residual_only?,
     })
-}
-
-/// The normal law; `None` after a mistake.
-fn law(
-    entry: &syntax::Entry,
-    registry: &Registry,
-    mistakes: &mut Mistakes,
-) -> Option<Side<Rc<Law>>> {
-    let Word::Name(name) = &entry.word else {
-        mistakes.report(entry.word.span(), messages::number_for_name("normal"));
-        return None;
-    };
-    plain(entry, mistakes);
-    let text = name.to_string();
-    let message = match registry.get(name) {
-        Some(Entry::Law(law)) => {
-            return Some(Side {
-                what: law.clone(),
-                span: name.span(),
-            });
-        }
-        Some(Entry::Geometry(geometry)) => messages::geometry_as_law(&text, geometry.describe()),
-        Some(Entry::Element | Entry::Broken) => return None,
-        None => names::unknown_law(&text, &registry.laws()),
-    };
-    mistakes.report(name.span(), message);
-    None
-}
-
-/// Parameters of the law and of a rigid master share one list.
-fn check_parameters(master: &Side<Master>, law: &Side<Rc<Law>>, mistakes: &mut Mistakes) {
-    let Some(geometry) = master.what.geometry() else {
-        return;
-    };
-    for parameter in &geometry.parameters {
-        if law
-            .what
-            .parameters
-            .iter()
-            .any(|other| other.name == parameter.name)
-        {
-            let (law_name, geometry) = (law.what.name.to_string(), geometry.name.to_string());
-            let name = parameter.name.to_string();
-            let message = messages::parameter_of_both(&name, &law_name, &geometry);
-            mistakes.report(law.span, message);
-        }
-    }
 }
 
 /// The entries of an element: known ones only, each once.
@@ -146,6 +110,11 @@ impl<'a> Entries<'a> {
         self.entries.iter().find(|entry| entry.key == key).copied()
     }
 
+    /// Whether an entry that is not there is missing rather than misspelt or misread.
+    fn is_whole(&self) -> bool {
+        self.item.complete && self.item.entries.len() == self.entries.len()
+    }
+
     fn require(
         &self,
         key: &str,
@@ -153,8 +122,7 @@ impl<'a> Entries<'a> {
         mistakes: &mut Mistakes,
     ) -> Option<&'a syntax::Entry> {
         let entry = self.get(key);
-        let misspelt = self.item.entries.len() > self.entries.len();
-        if entry.is_none() && self.item.complete && !misspelt {
+        if entry.is_none() && self.is_whole() {
             let message = names::missing_entry(key, "an element", example);
             mistakes.report(self.item.name.span(), message);
         }
@@ -198,6 +166,31 @@ impl<'a> Entries<'a> {
         let words = choices.map(|(word, _)| word);
         mistakes.report(span, messages::unknown_choice(key, &text, &words));
         None
+    }
+
+    /// The first axis of a tangential law with two; `None` if there is none, and after a mistake.
+    fn axis(
+        &self,
+        law: Option<&Side<Rc<TangentialLaw>>>,
+        pair: Option<(usize, &Slave, &Master)>,
+        mistakes: &mut Mistakes,
+    ) -> Option<Axis> {
+        let choices = [("convected", Axis::Convected), ("slave", Axis::Slave)];
+        let chosen = self.choice("axis", choices, mistakes);
+        let written = self.get("axis").map(|entry| WrittenAxis {
+            key: entry.key.span(),
+            word: chosen.and_then(|(axis, span)| Some((axis, span?))),
+        });
+        let whole = self.is_whole();
+        if let Some(law) = law {
+            check_tangential(law, written.as_ref(), pair, whole, mistakes);
+        } else if let Some(written) = &written
+            && self.get("tangential").is_none()
+            && whole
+        {
+            mistakes.report(written.key, messages::axis_without_law());
+        }
+        written?.word.map(|(axis, _)| axis)
     }
 
     fn gap(&self, pair: Option<(usize, &Slave, &Master)>, mistakes: &mut Mistakes) -> Option<Gap> {
@@ -278,16 +271,5 @@ impl<'a> Entries<'a> {
             mistakes.report(*span, messages::tangent_plane_of_residual());
         }
         Some(residual_only)
-    }
-}
-
-/// An entry that is one word takes neither `at` nor `placed`.
-fn plain(entry: &syntax::Entry, mistakes: &mut Mistakes) {
-    let key = entry.key.to_string();
-    if let Some(rule) = &entry.rule {
-        mistakes.report(rule.name.span(), messages::rule_not_here(&key));
-    }
-    if let Some(placed) = &entry.placed {
-        mistakes.report(placed.span(), messages::placed_not_here(&key));
     }
 }

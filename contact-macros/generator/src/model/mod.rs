@@ -9,7 +9,7 @@
 //! | what do names of items stand for? | `registry` |
 //! | what do names in expressions stand for? | `scope`, `expression` |
 //! | which fields does a block have? | `fields` |
-//! | is this a geometry, a law, an element? | `geometry` (`domain`), `law`, `element` (`pair`, `rule`) |
+//! | is this a geometry, a law, an element? | `geometry` (`domain`), `law`, `tangential`, `element` (`pair`, `rule`, `law_entries`) |
 //! | which parameters are there? | `parameter` |
 //! | do the numbers agree? | `numeric` |
 
@@ -19,12 +19,14 @@ mod expression;
 mod fields;
 mod geometry;
 mod law;
+mod law_entries;
 mod numeric;
 mod pair;
 mod parameter;
 mod registry;
 mod rule;
 mod scope;
+mod tangential;
 #[cfg(test)]
 mod tests;
 mod types;
@@ -34,8 +36,8 @@ use std::rc::Rc;
 pub use expression::{BinaryOperator, Expr, Function};
 pub use parameter::{RESERVED, RESERVED_PREFIXES};
 pub use types::{
-    Body, Bound, ClosedProjection, Domain, Element, Gap, Geometry, Law, Linearisation, Master,
-    Measure, Model, Parameter, Rule, Slave,
+    Axis, Body, Bound, ClosedProjection, Domain, Element, Gap, Geometry, Law, Linearisation,
+    Master, Measure, Model, Parameter, Rule, Slave, Tangential, TangentialLaw,
 };
 
 use crate::diagnostics::Mistakes;
@@ -109,6 +111,12 @@ fn declare(
             model.laws.push(law.clone());
             Entry::Law(law)
         }),
+        Item::TangentialLaw(item) => tangential::tangential_law(item, built_in, mistakes)
+            .map(Rc::new)
+            .map(|law| {
+                model.tangential_laws.push(law.clone());
+                Entry::TangentialLaw(law)
+            }),
         Item::Element(_) => Some(Entry::Element),
     };
     registry.insert(item.name(), entry.unwrap_or(Entry::Broken));

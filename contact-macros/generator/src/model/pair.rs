@@ -29,7 +29,8 @@ fn geometry(
     let text = name.to_string();
     let message = match registry.get(name) {
         Some(Entry::Geometry(geometry)) => return Some(geometry.clone()),
-        Some(Entry::Law(_)) => messages::law_as_geometry(&text, entry),
+        Some(Entry::Law(_)) => messages::law_as_geometry(&text, "normal", entry),
+        Some(Entry::TangentialLaw(_)) => messages::law_as_geometry(&text, "tangential", entry),
         Some(Entry::Element | Entry::Broken) => return None,
         None => names::unknown_geometry(&text, &registry.geometries(suits)),
     };
@@ -38,13 +39,24 @@ fn geometry(
 }
 
 /// The name after the colon.
-fn name_of<'a>(entry: &'a syntax::Entry, mistakes: &mut Mistakes) -> Option<&'a Ident> {
+pub(super) fn name_of<'a>(entry: &'a syntax::Entry, mistakes: &mut Mistakes) -> Option<&'a Ident> {
     match &entry.word {
         Word::Name(name) => Some(name),
         Word::Number(_, span) => {
             mistakes.report(*span, messages::number_for_name(&entry.key.to_string()));
             None
         }
+    }
+}
+
+/// An entry that is one word takes neither `at` nor `placed`.
+pub(super) fn plain(entry: &syntax::Entry, mistakes: &mut Mistakes) {
+    let key = entry.key.to_string();
+    if let Some(rule) = &entry.rule {
+        mistakes.report(rule.name.span(), messages::rule_not_here(&key));
+    }
+    if let Some(placed) = &entry.placed {
+        mistakes.report(placed.span(), messages::placed_not_here(&key));
     }
 }
 
@@ -177,6 +189,11 @@ impl Master {
         self.geometry()
             .map_or_else(|| "point".to_string(), |geometry| geometry.name.to_string())
     }
+}
+
+/// Number of projected coordinates of the pair: the directions in which it can slide.
+pub(super) fn projected(slave: &Slave, master: &Master) -> usize {
+    master.projected() + usize::from(matches!(slave, Slave::Projected(_)))
 }
 
 /// Whether the two sides can meet in that many dimensions; a mistake if not.

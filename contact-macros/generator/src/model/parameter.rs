@@ -8,12 +8,14 @@ use crate::diagnostics::{Mistakes, names as messages, short};
 use crate::syntax;
 
 /// Parameters that elements add on their own; declarations cannot use these names.
-pub const RESERVED: [&str; 14] = [
+pub const RESERVED: [&str; 16] = [
     "r0",
     "orientation",
     "weight",
     "eta_1",
     "eta_2",
+    "axis_1",
+    "axis_2",
     "origin_x",
     "origin_y",
     "origin_z",

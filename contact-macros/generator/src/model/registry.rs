@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use syn::Ident;
 
-use super::types::{Geometry, Law, Model};
+use super::types::{Geometry, Law, Model, TangentialLaw};
 use crate::diagnostics::{Mistakes, names as messages};
 use crate::syntax::{File, Item};
 
@@ -14,6 +14,7 @@ use crate::syntax::{File, Item};
 pub(super) enum Entry {
     Geometry(Rc<Geometry>),
     Law(Rc<Law>),
+    TangentialLaw(Rc<TangentialLaw>),
     Element,
     /// Declared, but with mistakes that were reported already.
     Broken,
@@ -35,6 +36,9 @@ impl Registry {
             }
             for law in &library.laws {
                 registry.insert(&law.name, Entry::Law(law.clone()));
+            }
+            for law in &library.tangential_laws {
+                registry.insert(&law.name, Entry::TangentialLaw(law.clone()));
             }
         }
         for name in &file.broken {
@@ -60,9 +64,14 @@ impl Registry {
         self.names(|entry| matches!(entry, Entry::Geometry(geometry) if suits(geometry)))
     }
 
-    /// Names of all laws, in alphabetical order.
+    /// Names of all normal laws, in alphabetical order.
     pub fn laws(&self) -> Vec<String> {
         self.names(|entry| matches!(entry, Entry::Law(_)))
+    }
+
+    /// Names of all tangential laws, in alphabetical order.
+    pub fn tangential_laws(&self) -> Vec<String> {
+        self.names(|entry| matches!(entry, Entry::TangentialLaw(_)))
     }
 
     fn names(&self, suits: impl Fn(&Entry) -> bool) -> Vec<String> {

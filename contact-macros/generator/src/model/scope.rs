@@ -11,6 +11,8 @@ use crate::syntax;
 pub(super) enum Role {
     Coordinate,
     Gap,
+    Pressure,
+    Slip,
     Parameter,
     Binding,
 }
@@ -20,6 +22,8 @@ impl Role {
         match self {
             Role::Coordinate => "coordinate",
             Role::Gap => "gap",
+            Role::Pressure => "pressure",
+            Role::Slip => "slip",
             Role::Parameter => "parameter",
             Role::Binding => "binding",
         }

@@ -13,6 +13,8 @@ pub struct Model {
     pub geometries: Vec<Rc<Geometry>>,
     /// Normal laws, in the order of their declaration.
     pub laws: Vec<Rc<Law>>,
+    /// Tangential laws, in the order of their declaration.
+    pub tangential_laws: Vec<Rc<TangentialLaw>>,
     /// Elements, in the order of their declaration.
     pub elements: Vec<Element>,
 }
@@ -135,6 +137,47 @@ pub enum Bound {
     Above(Expr),
 }
 
+/// A tangential law: the stiffness of sticking and the bound of the tangential force, both per axis.
+#[derive(Debug, Clone)]
+pub struct TangentialLaw {
+    /// The name in the declaration.
+    pub name: Ident,
+    /// The doc comment.
+    pub docs: String,
+    /// The name of the pressure p = −N.
+    pub pressure: Ident,
+    /// The name of the slip path.
+    pub slip: Ident,
+    /// Run-time parameters.
+    pub parameters: Vec<Parameter>,
+    /// `let` bindings in order; each may use the pressure, the slip, the parameters and earlier bindings.
+    pub bindings: Vec<(Ident, Expr)>,
+    /// One stiffness (isotropic) or one for each axis (orthotropic); parameters only.
+    pub stiffness: Vec<Expr>,
+    /// As many bounds; none where the law sticks always.
+    pub bound: Vec<Expr>,
+    /// Whether the declaration belongs to the library.
+    pub built_in: bool,
+}
+
+/// The tangential law of an element.
+#[derive(Debug, Clone)]
+pub struct Tangential {
+    /// The law.
+    pub law: Rc<TangentialLaw>,
+    /// The first axis of an orthotropic law.
+    pub axis: Option<Axis>,
+}
+
+/// Where the first axis of an orthotropic law points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// Along wⁱ b_i: convected by the master.
+    Convected,
+    /// Along the slave curve, projected onto the tangent plane.
+    Slave,
+}
+
 /// A contact element: a pair, a law and the choices made for it.
 #[derive(Debug, Clone)]
 pub struct Element {
@@ -150,6 +193,8 @@ pub struct Element {
     pub master: Master,
     /// The normal law.
     pub law: Rc<Law>,
+    /// Tangential law; none: frictionless.
+    pub tangential: Option<Tangential>,
     /// How the gap is measured.
     pub gap: Gap,
     /// Which linearisation of the gap the tangent uses.

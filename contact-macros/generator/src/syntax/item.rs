@@ -25,6 +25,8 @@ pub enum Item {
     Geometry(GeometryItem),
     /// A normal law.
     Law(LawItem),
+    /// A tangential law.
+    TangentialLaw(LawItem),
     /// A contact element.
     Element(ElementItem),
 }
@@ -63,14 +65,14 @@ pub struct GeometryItem {
     pub body: Body,
 }
 
-/// `normal law Name(g; ..) { .. }`.
+/// `normal law Name(g; ..) { .. }` or `tangential law Name(pressure, slip; ..) { .. }`.
 #[derive(Debug, Clone)]
 pub struct LawItem {
     /// The doc comment.
     pub docs: String,
     /// The name.
     pub name: Ident,
-    /// Gap and parameters.
+    /// Gap, or pressure and slip, and parameters.
     pub head: Head,
     /// The block.
     pub body: Body,
@@ -236,7 +238,7 @@ impl Item {
     pub fn name(&self) -> &Ident {
         match self {
             Item::Geometry(item) => &item.name,
-            Item::Law(item) => &item.name,
+            Item::Law(item) | Item::TangentialLaw(item) => &item.name,
             Item::Element(item) => &item.name,
         }
     }

@@ -8,7 +8,8 @@
 //! file       = item*
 //! item       = doc* kind Name [head] [in domain] [rational] { statement* }     geometry or law
 //!            | doc* element Name { entry* }
-//! kind       = surface | curve | rigid surface | rigid curve | rigid distance | normal law
+//! kind       = surface | curve | rigid surface | rigid curve | rigid distance
+//!            | normal law | tangential law
 //! head       = ( name,* [; parameter,*] )
 //! parameter  = name [: "unit"] [in (bound, bound) | in [bound, bound]]
 //! domain     = name [(bound,*)]

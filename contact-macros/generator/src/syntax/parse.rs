@@ -86,6 +86,7 @@ fn item(
     match kind {
         Kind::Geometry(kind) => geometry(input, docs, kind, name, mistakes).map(Item::Geometry),
         Kind::Law => law(input, docs, name, mistakes).map(Item::Law),
+        Kind::TangentialLaw => law(input, docs, name, mistakes).map(Item::TangentialLaw),
         Kind::Element => element(input, docs, name, mistakes).map(Item::Element),
     }
 }
@@ -117,12 +118,14 @@ fn doc_line(attribute: &Attribute) -> Option<String> {
 enum Kind {
     Geometry(GeometryKind),
     Law,
+    TangentialLaw,
     Element,
 }
 
 fn kind(input: ParseStream<'_>) -> syn::Result<Kind> {
     if !input.peek(Ident::peek_any) {
-        let hint = "an item starts with `surface`, `curve`, `rigid`, `normal law` or `element`";
+        let hint = "an item starts with `surface`, `curve`, `rigid`, `normal law`, \
+                    `tangential law` or `element`";
         return Err(expected(input, "an item", hint));
     }
     let word = input.call(Ident::parse_any)?;
@@ -131,13 +134,19 @@ fn kind(input: ParseStream<'_>) -> syn::Result<Kind> {
         "curve" => Kind::Geometry(GeometryKind::Curve),
         "rigid" => Kind::Geometry(rigid_kind(input)?),
         "element" => Kind::Element,
-        "normal" => match keyword(input, "law") {
-            Some(_) => Kind::Law,
-            None => return Err(messages::normal_without_law(&describe(input)).at(input.span())),
-        },
+        "normal" => followed_by_law(input, "normal", Kind::Law)?,
+        "tangential" => followed_by_law(input, "tangential", Kind::TangentialLaw)?,
         other => return Err(messages::unknown_item(other).at(word.span())),
     };
     Ok(kind)
+}
+
+/// `kind`, if the word `law` comes next.
+fn followed_by_law(input: ParseStream<'_>, word: &str, kind: Kind) -> syn::Result<Kind> {
+    match keyword(input, "law") {
+        Some(_) => Ok(kind),
+        None => Err(messages::word_without_law(word, &describe(input)).at(input.span())),
+    }
 }
 
 fn rigid_kind(input: ParseStream<'_>) -> syn::Result<GeometryKind> {

@@ -90,18 +90,23 @@ fn unknown_items() {
     assert_mistake(
         "«law Soft(g) { N = g; }",
         "unknown item `law`",
-        "did you mean `normal law`?",
+        "did you mean `normal law` or `tangential law`?",
+    );
+    assert_mistake(
+        "«friction law Rub(p, s; e) { stiffness = e; }",
+        "unknown item `friction`",
+        "did you mean `tangential law`?",
     );
     assert_mistake(
         "«struct Soft { x: f64 }",
         "unknown item `struct`",
         "an item starts with `surface`, `curve`, `rigid surface`, `rigid curve`, `rigid distance`, \
-         `normal law` or `element`",
+         `normal law`, `tangential law` or `element`",
     );
     assert_mistake(
         "«42;",
         "expected an item, found `42`",
-        "an item starts with `surface`, `curve`, `rigid`, `normal law` or `element`",
+        "an item starts with `surface`, `curve`, `rigid`, `normal law`, `tangential law` or `element`",
     );
     assert_mistake(
         "rigid «surfac Flat(u, v) { rho = [u, v, 0]; }",
@@ -114,14 +119,23 @@ fn unknown_items() {
         "write `rigid surface`, `rigid curve` or `rigid distance`",
     );
     assert_mistake(
+        "«#[inline] element E { slave: point; master: Quad4; normal: Penalty; }",
+        "only doc comments can stand before an item",
+        "remove the attribute; choices are entries of the element",
+    );
+}
+
+#[test]
+fn words_without_law() {
+    assert_mistake(
         "normal «lw Soft(g; e) { N = e*g; }",
         "expected `law` after `normal`, found `lw`",
         "write `normal law Name(g; parameter: \"unit\") { N = ..; }`",
     );
     assert_mistake(
-        "«#[inline] element E { slave: point; master: Quad4; normal: Penalty; }",
-        "only doc comments can stand before an item",
-        "remove the attribute; choices are entries of the element",
+        "tangential «Rub(p, s; e) { stiffness = e; }",
+        "expected `law` after `tangential`, found `Rub`",
+        "write `tangential law Name(pressure, slip; parameter: \"unit\") { stiffness = ..; }`",
     );
 }
 
@@ -201,6 +215,36 @@ fn statements() {
         "rigid curve Line(u) { rho = [u, 0]; projection(x «+ 1, y) = [x]; }",
         "expected `,` or `)`, found `+`",
         "the arguments are names",
+    );
+}
+
+#[test]
+fn tangential_laws_are_read_like_normal_ones() {
+    let file = read(
+        "/// Doc.
+         tangential law Rub(p, s; e: \"force\", m) { stiffness = e; let a = m*p; bound = [a, 2*a]; }",
+    );
+    assert!(file.mistakes.is_empty(), "{:?}", file.mistakes);
+    let Item::TangentialLaw(law) = &file.items[0] else {
+        panic!()
+    };
+    assert_eq!((file.items[0].name(), &*law.docs), (&law.name, "Doc."));
+    let head = &law.head;
+    assert_eq!((head.coordinates.len(), head.parameters.len()), (2, 2));
+    let [
+        Statement::Field(stiffness),
+        Statement::Let(..),
+        Statement::Field(bound),
+    ] = law.body.statements.as_slice()
+    else {
+        panic!()
+    };
+    assert!(matches!(&stiffness.value, Value::Expr(_)));
+    assert!(matches!(&bound.value, Value::List(values) if values.len() == 2));
+    assert_mistake(
+        "tangential law Rub(p, s; e) { stiffness = e; bound = e*«[p, s]; }",
+        "a list cannot stand inside an expression",
+        "lists stand alone, as in `N = [a, b];`",
     );
 }
 

@@ -6,14 +6,15 @@ mod _element_pointpoint2d {
     use super::*;
     #[allow(unused_imports)]
     use ::contact_elements::program::{
-        ElementDescription, ElementPrograms, GeometryPrograms, LawPrograms,
-        MasterDescription, Operation, Program, SlaveDescription, Term,
+        AxisDescription, ElementDescription, ElementPrograms, GeometryPrograms,
+        LawPrograms, MasterDescription, Operation, Program, SlaveDescription,
+        TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
     /// 8 operations, 4 inputs, 4 outputs.
-    #[inline(always)]
     #[allow(clippy::all, unused_variables)]
+    #[inline(always)]
     fn gap(i: &[f64; 4usize]) -> [f64; 4usize] {
         let t3 = i[0usize] * i[0usize];
         let t4 = i[1usize] * i[1usize];
@@ -26,8 +27,8 @@ mod _element_pointpoint2d {
         [t9, t10, t6, t11]
     }
     /// 15 operations, 5 inputs, 4 outputs.
-    #[inline(always)]
     #[allow(clippy::all, unused_variables)]
+    #[inline(always)]
     fn tangent(i: &[f64; 5usize]) -> [f64; 4usize] {
         let t7 = i[0usize] * i[0usize];
         let t8 = i[4usize] * t7;
@@ -48,13 +49,16 @@ mod _element_pointpoint2d {
     }
     impl runtime::Element<2usize, 0usize, 0usize> for PointPoint2d {
         type Law = ::contact_elements::laws::Penalty;
+        type Tangential = runtime::Frictionless;
         const LAYOUT: runtime::Layout = runtime::Layout {
+            tangential: 1usize,
             r0: 1usize,
             orientation: None,
             geometry: 2usize,
             master_weights: 2usize,
             slave_weights: 2usize,
             point: 2usize,
+            axis: None,
             placement: None,
             count: 2usize,
         };
@@ -65,6 +69,8 @@ mod _element_pointpoint2d {
         const CURRENT: bool = false;
         const SLAVE_NODES: usize = 1usize;
         const MASTER_NODES: usize = 1usize;
+        const SLAVE_AXIS: bool = false;
+        const PERIODS: [f64; 2] = [0f64, 0f64];
         const DOMAINS: [runtime::Domain; 2] = [
             runtime::Domain::Unbounded,
             runtime::Domain::Unbounded,
@@ -139,6 +145,23 @@ mod _element_pointpoint2d {
             runtime::Measure::default()
         }
     }
+    fn kernel(
+        call: &runtime::Call<'_>,
+        nodes: &runtime::Nodes<'_>,
+        memory: &mut [f64],
+        target: &mut ::contact_elements::abi::Target,
+    ) -> Result<runtime::Summary, runtime::InputError> {
+        runtime::fixed::<
+            PointPoint2d,
+            _,
+            2usize,
+            0usize,
+            0usize,
+            2usize,
+            1usize,
+            4usize,
+        >(call, nodes, &[false, false], target)
+    }
     impl PointPoint2d {
         /// What the C interface knows of this element.
         pub const DESCRIPTOR: &'static ::contact_elements::abi::Descriptor = {
@@ -167,6 +190,7 @@ mod _element_pointpoint2d {
                         closed: true,
                     },
                 ],
+                friction: false,
                 symmetric: true,
                 tangent: true,
                 energy: <<PointPoint2d as runtime::Element<
@@ -175,25 +199,14 @@ mod _element_pointpoint2d {
                     0usize,
                 >>::Law as runtime::NormalLaw>::ENERGY,
                 operations: 26usize,
-                formulation: 3516222403734316528u64,
+                formulation: 17957235695561432965u64,
                 vectors: &[false, false],
                 centre: <PointPoint2d as runtime::Element<
                     2usize,
                     0usize,
                     0usize,
                 >>::START,
-                kernel: |call, nodes, memory, target| {
-                    runtime::fixed::<
-                        PointPoint2d,
-                        _,
-                        2usize,
-                        0usize,
-                        0usize,
-                        2usize,
-                        1usize,
-                        4usize,
-                    >(call, nodes, &[false, false], target)
-                },
+                kernel,
             };
             &DESCRIPTOR
         };
@@ -315,6 +328,9 @@ mod _element_pointpoint2d {
                 },
             }),
             measure: None,
+            frame: None,
+            tangential_residual: None,
+            tangential_tangent: None,
         };
         /// What was declared, for verification.
         pub const DESCRIPTION: ElementDescription = ElementDescription {
@@ -324,18 +340,22 @@ mod _element_pointpoint2d {
             slave: SlaveDescription::Point,
             master: MasterDescription::Point,
             law: &::contact_elements::laws::Penalty::PROGRAMS,
+            tangential: None,
+            axis: AxisDescription::None,
             placed: false,
             signed: false,
             tangent_plane: false,
             current: false,
             moving: false,
             layout: runtime::Layout {
+                tangential: 1usize,
                 r0: 1usize,
                 orientation: None,
                 geometry: 2usize,
                 master_weights: 2usize,
                 slave_weights: 2usize,
                 point: 2usize,
+                axis: None,
                 placement: None,
                 count: 2usize,
             },

@@ -24,6 +24,7 @@ fn curve(name: &'static str, point: [f64; 3], nodes: &[[f64; 3]], expected: Expe
         pair,
         positions: all.copied().collect(),
         start: [[0.0; 2]],
+        friction: vec![],
         expected,
     }
 }
@@ -36,6 +37,7 @@ fn points(name: &'static str, slave: &[f64], master: &[f64], expected: Expected)
         pair: pair(slave.len(), Slave::Point, Master::Point, gap, 0.5),
         positions: slave.iter().chain(master).copied().collect(),
         start: [[0.0; 2]],
+        friction: vec![],
         expected,
     }
 }
@@ -78,6 +80,7 @@ fn crossing(
         pair: pair(3, Slave::Curve(line), shape(Shape::Line2), gap, r0),
         positions: slave.iter().chain(&LINE).flatten().copied().collect(),
         start: [[0.0; 2]],
+        friction: vec![],
         expected,
     }
 }
@@ -152,6 +155,7 @@ fn focal(name: &'static str, height: f64, expected: Expected) -> EdgeCase {
         pair,
         positions,
         start: [[0.0; 2]],
+        friction: vec![],
         expected,
     }
 }

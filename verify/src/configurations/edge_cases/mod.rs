@@ -1,19 +1,24 @@
 //! States where elements tend to fail, each with what must come out.
 
 mod curves;
+mod friction;
 mod rigid;
 mod surfaces;
 
 use crate::oracle::geometry::{Feature, Interpolation, Shape};
 use crate::oracle::law::Law;
 use crate::oracle::pair::{GapKind, Master, Pair, Slave};
-use crate::oracle::solve::{Start, State};
+use crate::oracle::solve::{FrictionHistory, Start, State};
 
 /// What must come out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Expected {
     /// Projected, the law acts.
     Closed,
+    /// Closed and sticking.
+    Stick,
+    /// Closed and slipping.
+    Slip,
     /// Projected, the law does not act.
     Open,
     /// Projected exactly onto this part of the boundary, which belongs to the region: closed, or
@@ -38,6 +43,8 @@ pub struct EdgeCase {
     pub positions: Vec<f64>,
     /// Start of the projection.
     pub start: [[f64; 2]; 1],
+    /// What the point remembers; empty: contact begins.
+    pub friction: Vec<FrictionHistory>,
     /// What must come out.
     pub expected: Expected,
 }
@@ -49,6 +56,7 @@ impl EdgeCase {
             reference: &self.positions,
             displacement: zeros,
             start: Start::Given(&self.start),
+            friction: &self.friction,
         }
     }
 }
@@ -58,6 +66,7 @@ pub fn edge_cases() -> Vec<EdgeCase> {
     let mut cases = surfaces::edge_cases();
     cases.extend(curves::edge_cases());
     cases.extend(rigid::edge_cases());
+    cases.extend(friction::edge_cases());
     cases
 }
 
@@ -71,6 +80,7 @@ fn pair(dimension: usize, slave: Slave, master: Master, gap: GapKind, r0: f64) -
         orientation: 1.0,
         r0,
         law,
+        tangential: None,
     }
 }
 

@@ -23,6 +23,7 @@ fn case(
         pair: pair(3, Slave::Point, master, GapKind::Signed, 0.0),
         positions: point.to_vec(),
         start: [start],
+        friction: vec![],
         expected,
     }
 }

@@ -48,6 +48,7 @@ fn facet(
         pair,
         positions,
         start,
+        friction: vec![],
         expected,
     }
 }

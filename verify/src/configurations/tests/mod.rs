@@ -1,12 +1,14 @@
 //! The generator keeps its promises, and the oracle the laws of mechanics.
 
+mod frictional;
 mod templates;
 
 use self::templates::templates;
 use super::edge_cases::{EdgeCase, Expected, edge_cases};
 use super::{Configuration, Generator, Wanted};
 use crate::oracle::OracleError;
-use crate::oracle::solve::{self, PointStatus, State};
+use crate::oracle::solve::{self, PointReport, PointStatus, State};
+use crate::oracle::tangential::return_map::Regime;
 
 fn each(count: u64, wanted: Wanted, mut check: impl FnMut(&str, &Configuration)) {
     for (name, template) in templates() {
@@ -65,7 +67,8 @@ fn largest(values: &[f64]) -> f64 {
 fn forces_are_differences_of_the_energy() {
     each(3, Wanted::Closed, |name, configuration| {
         let pair = &configuration.pair;
-        if name.ends_with("current") || name.ends_with("declared") {
+        let friction = pair.tangential.is_some();
+        if name.ends_with("current") || name.ends_with("declared") || friction {
             return; // no energy
         }
         let found = solve::evaluate(pair, &configuration.state()).unwrap();
@@ -104,6 +107,13 @@ fn tangents_are_differences_of_the_residual() {
                 };
                 solve::residual(pair, &state).unwrap().residual
             };
+            let near_switch = |point: &PointReport| {
+                let friction = point.friction;
+                friction.is_some_and(|friction| (friction.utilisation - 1.0).abs() < 1e-2)
+            };
+            if configuration.points.iter().any(near_switch) {
+                return;
+            }
             for (i, (p, m)) in residual(h).iter().zip(&residual(-h)).enumerate() {
                 let error = ((p - m) / (2.0 * h) - found.tangent[unknowns * i + j]).abs();
                 let error = error / largest(&found.tangent);
@@ -135,6 +145,9 @@ fn products_are_the_tangent_times_directions() {
 #[test]
 fn tangents_are_symmetric_unless_the_measure_moves() {
     each(3, Wanted::Closed, |name, configuration| {
+        if configuration.pair.tangential.is_some() {
+            return;
+        }
         let n = configuration.pair.unknowns();
         let found = solve::evaluate(&configuration.pair, &configuration.state()).unwrap();
         let skew: Vec<f64> = (0..n * n)
@@ -184,9 +197,8 @@ fn check_edge_case(case: &EdgeCase) {
     let zeros = vec![0.0; case.positions.len()];
     let found = solve::evaluate(&case.pair, &case.state(&zeros));
     if case.expected == Expected::BadInput {
-        assert_eq!(
-            found,
-            Err(OracleError::NotFinite("reference")),
+        assert!(
+            matches!(found, Err(OracleError::NotFinite(_))),
             "{}",
             case.name
         );
@@ -203,8 +215,11 @@ fn check_edge_case(case: &EdgeCase) {
         case.name
     );
     let status = found.points[0].status;
+    let regime = found.points[0].friction.map(|friction| friction.regime);
     let as_expected = match case.expected {
         Expected::Closed => status == PointStatus::Closed,
+        Expected::Stick => regime == Some(Regime::Stick),
+        Expected::Slip => regime == Some(Regime::Slip),
         Expected::Open => status == PointStatus::Open,
         Expected::OnBoundary(feature) => {
             status == PointStatus::Closed || status == PointStatus::Outside(feature)

@@ -7,6 +7,7 @@ use num_dual::DualNum;
 use crate::oracle::geometry::{Interpolation, Placement, RigidDistance, RigidParametric, Shape};
 use crate::oracle::law::{Activity, DeclaredLaw, Law};
 use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Row, Slave};
+use crate::oracle::tangential::{Axis, DeclaredTangential, Tangential, TangentialLaw};
 
 const SPATIAL: Placement = Placement::Spatial {
     origin: [0.0; 3],
@@ -48,6 +49,7 @@ fn pair(dimension: usize, slave: Slave, master: Master, gap: GapKind) -> Pair {
         orientation: 1.0,
         r0: 0.0,
         law,
+        tangential: None,
     }
 }
 
@@ -61,7 +63,122 @@ pub(crate) fn templates() -> Vec<Named> {
     list.extend(integrated_pairs());
     list.extend(rigid_pairs());
     list.extend(law_pairs());
+    list.extend(frictional());
     list
+}
+
+/// Pairs with friction: one of every law, axis and kind of geometry.
+pub(crate) fn frictional() -> Vec<Named> {
+    let mut list = isotropic();
+    list.extend(orthotropic());
+    list
+}
+
+fn with(tangential: &Tangential, pair: &Pair) -> Pair {
+    Pair {
+        tangential: Some(tangential.clone()),
+        ..pair.clone()
+    }
+}
+
+fn onto(master: Master) -> Pair {
+    pair(3, Slave::Point, master, GapKind::Signed)
+}
+
+fn torus() -> Pair {
+    let (major, minor) = (2.0, 0.5);
+    onto(Master::Parametric {
+        surface: RigidParametric::Torus { major, minor },
+        placement: SPATIAL,
+    })
+}
+
+fn beams() -> Pair {
+    let master = shape(Shape::Hermite);
+    pair(3, curve(Shape::Line3), master, GapKind::Distance)
+}
+
+fn rope(master: Shape, measure: Measure) -> Pair {
+    let slave = fixed(Shape::Hermite, &LENGTH, measure);
+    pair(3, slave, shape(master), GapKind::Signed)
+}
+
+fn isotropic() -> Vec<Named> {
+    use GapKind::{Distance, Signed};
+    let (eps_t, mu, cohesion) = (100.0, 0.3, 1.0);
+    let (mu_s, mu_k, decay) = (0.5, 0.3, 0.1);
+    let coulomb = Tangential::isotropic(TangentialLaw::Coulomb { eps_t, mu });
+    let adhesive = Tangential::isotropic(TangentialLaw::Adhesive {
+        eps_t,
+        mu,
+        cohesion,
+    });
+    let weakening = Tangential::isotropic(TangentialLaw::StaticKinetic {
+        eps_t,
+        mu_s,
+        mu_k,
+        decay,
+    });
+    let tied = Tangential::isotropic(TangentialLaw::Stick { eps_t });
+    let declared = Tangential::isotropic(TangentialLaw::Declared(Arc::new(Hardening)));
+    let flat = pair(2, Slave::Point, shape(Shape::Line3), Signed);
+    let beam = pair(3, Slave::Point, shape(Shape::Hermite), Distance);
+    let facet = onto(shape(Shape::Quad4));
+    let patch = onto(shape(Shape::Tri6));
+    let edges = pair(3, curve(Shape::Line3), shape(Shape::Line3), Signed);
+    let rope = rope(Shape::Quad9, Measure::Reference);
+    vec![
+        ("line3-2d-coulomb", with(&coulomb, &flat)),
+        ("line3-2d-weakening", with(&weakening, &flat)),
+        ("hermite-coulomb", with(&coulomb, &beam)),
+        ("quad4-coulomb", with(&coulomb, &facet)),
+        ("quad4-stick", with(&tied, &facet)),
+        ("quad4-hardening", with(&declared, &facet)),
+        ("tri6-adhesive", with(&adhesive, &patch)),
+        ("tri6-weakening", with(&weakening, &patch)),
+        ("hermite-beams-coulomb", with(&coulomb, &beams())),
+        ("line3-edges-weakening", with(&weakening, &edges)),
+        ("hermite-quad9-coulomb", with(&coulomb, &rope)),
+        ("torus-coulomb", with(&coulomb, &torus())),
+    ]
+}
+
+fn orthotropic() -> Vec<Named> {
+    let ellipse = TangentialLaw::Orthotropic {
+        eps_t: [100.0, 80.0],
+        mu: [0.3, 0.5],
+    };
+    let convected = Tangential::orthotropic(ellipse.clone(), Axis::Convected([1.0, 0.5]));
+    let along = Tangential::orthotropic(ellipse, Axis::SlaveCurve);
+    let area = fixed(Shape::Quad4, &AREA, Measure::Current);
+    let facet = onto(shape(Shape::Quad4));
+    let mortar = pair(3, area, shape(Shape::Quad4), GapKind::Signed);
+    let still = rope(Shape::Quad9, Measure::Reference);
+    let moving = rope(Shape::Tri6, Measure::Current);
+    vec![
+        ("quad4-convected", with(&convected, &facet)),
+        ("hermite-beams-convected", with(&convected, &beams())),
+        ("hermite-quad9-along", with(&along, &still)),
+        ("hermite-tri6-along-current", with(&along, &moving)),
+        ("quad4-quad4-convected-current", with(&convected, &mortar)),
+        ("torus-convected", with(&convected, &torus())),
+    ]
+}
+
+/// A bound that grows with the path.
+#[derive(Debug)]
+struct Hardening;
+
+impl DeclaredTangential for Hardening {
+    fn orthotropic(&self) -> bool {
+        false
+    }
+    fn stiffness(&self) -> [f64; 2] {
+        [60.0, f64::NAN]
+    }
+    fn bound<D: DualNum<Primitive = f64> + Copy>(&self, pressure: D, slip: D) -> Option<[D; 2]> {
+        Some([pressure * (slip * 0.5 + 0.2), pressure])
+    }
 }
 
 fn point_pairs() -> Vec<Named> {

@@ -2,7 +2,8 @@
 
 use num_dual::{Dual64, HyperDual64};
 
-use super::point::{PointSolution, Seed};
+use super::friction::{Friction, FrictionHistory};
+use super::point::{HyperPoint, PointSolution, Seed, Sweep};
 use super::{Evaluation, PointReport, PointStatus, State, locate, validate};
 use crate::oracle::error::OracleError;
 use crate::oracle::kinematics::{Frame, Nodes};
@@ -45,7 +46,7 @@ pub fn tangent_times(
     accumulate(pair, state, &Wanted::Products(directions))
 }
 
-/// Total energy `Σ w J W(g)`; NaN if the law has none.
+/// Total energy `Σ w J W(g)`, plus what the tangential springs hold; NaN if the law has none.
 pub fn energy(pair: &Pair, state: &State<'_>) -> Result<f64, OracleError> {
     validate(pair, state)?;
     let mut total = 0.0;
@@ -74,7 +75,8 @@ fn energy_of(frame: &Frame<'_>, report: &PointReport) -> f64 {
     } else {
         1.0
     };
-    frame.weight * measure * energy.map_or(f64::NAN, |energy| energy.re)
+    let held = report.friction.map_or(0.0, |friction| friction.energy);
+    frame.weight * measure * (energy.map_or(f64::NAN, |energy| energy.re) + held)
 }
 
 /// Whether the measure depends on the unknowns.
@@ -108,8 +110,8 @@ fn accumulate(
         let (frame, root, mut report) = locate(pair, state, q)?;
         out.energy += energy_of(&frame, &report);
         if let (PointStatus::Closed, Some(root)) = (report.status, root) {
-            report.force = pair.law.force(Dual64::from_re(report.gap)).re;
-            let contribution = Contribution::new(PointSolution::new(frame, root, report));
+            let point = PointSolution::new(frame, root, report);
+            let contribution = Contribution::new(point, state.friction.get(q))?;
             report.weight = contribution.weight * contribution.measure;
             contribution.add(wanted, &mut out);
         }
@@ -126,32 +128,39 @@ struct Contribution<'a> {
     /// J (one unless the measure moves) and its gradient.
     measure: f64,
     measure_gradient: Vec<f64>,
-    /// Whether the sum is the derivative of an energy.
+    /// Whether the normal part is the derivative of an energy.
     from_energy: bool,
+    friction: Option<Friction>,
 }
 
 impl<'a> Contribution<'a> {
-    fn new(point: PointSolution<'a>) -> Self {
+    fn new(
+        point: PointSolution<'a>,
+        history: Option<&FrictionHistory>,
+    ) -> Result<Self, OracleError> {
         let pair = point.frame.pair;
         let law = &pair.law;
         let has_energy = law.energy(HyperDual64::from_re(point.report.gap)).is_some();
         let (measure, measure_gradient) = moving_measure(&point.frame);
         let from_energy = has_energy && !moves(pair);
-        Self {
+        Ok(Self {
             law,
             weight: point.frame.weight,
             measure,
             measure_gradient,
             from_energy,
+            friction: Friction::new(&point, history)?,
             point,
-        }
+        })
     }
 
     fn add(&self, wanted: &Wanted<'_>, out: &mut Evaluation) {
         let unknowns = out.residual.len();
         let force = self.law.force(Dual64::from_re(self.point.report.gap)).re;
-        for (entry, slope) in out.residual.iter_mut().zip(&self.point.gap_gradient) {
-            *entry += self.weight * self.measure * force * slope;
+        let normal = out.residual.iter_mut().zip(&self.point.gap_gradient);
+        for (i, (entry, slope)) in normal.enumerate() {
+            let tangential = self.friction.as_ref().map_or(0.0, |f| f.first(i));
+            *entry += self.weight * self.measure * (force * slope + tangential);
         }
         match wanted {
             Wanted::Residual => {}
@@ -168,14 +177,11 @@ impl<'a> Contribution<'a> {
         let mut sweep = self.point.sweep();
         for i in 0..unknowns {
             for j in i..unknowns {
-                let gap = self
-                    .point
-                    .hyper(&mut sweep, Seed::Unit(i), Seed::Unit(j))
-                    .gap;
-                tangent[unknowns * i + j] += self.second(gap, self.measure_gradient[j]);
+                let jet = self.jet(&mut sweep, Seed::Unit(i), Seed::Unit(j));
+                tangent[unknowns * i + j] += self.second(&jet, &Slopes::unknown(self, j));
                 if i != j {
-                    let swapped = HyperDual64::new(gap.re, gap.eps2, gap.eps1, gap.eps1eps2);
-                    tangent[unknowns * j + i] += self.second(swapped, self.measure_gradient[i]);
+                    let swapped = self.second(&jet.swapped(), &Slopes::unknown(self, i));
+                    tangent[unknowns * j + i] += swapped;
                 }
             }
         }
@@ -183,25 +189,32 @@ impl<'a> Contribution<'a> {
 
     fn add_product(&self, direction: &[f64], product: &mut [f64]) {
         let mut sweep = self.point.sweep();
-        let slope = self
-            .measure_gradient
-            .iter()
-            .zip(direction)
-            .map(|(j, d)| j * d)
-            .sum();
+        let slopes = Slopes::direction(self, direction);
         for (i, entry) in product.iter_mut().enumerate() {
-            let gap = self
-                .point
-                .hyper(&mut sweep, Seed::Unit(i), Seed::Along(direction))
-                .gap;
-            *entry += self.second(gap, slope);
+            let jet = self.jet(&mut sweep, Seed::Unit(i), Seed::Along(direction));
+            *entry += self.second(&jet, &slopes);
         }
     }
 
-    /// Derivative along the second seed of the residual along the first; `slope` is the
-    /// derivative of the measure along the second.
     #[inline]
-    fn second(&self, gap: HyperDual64, slope: f64) -> f64 {
+    fn jet(&self, sweep: &mut Sweep, first: Seed<'_>, second: Seed<'_>) -> Jet {
+        let HyperPoint { gap, zeta, .. } = self.point.hyper(sweep, first, second);
+        Jet { gap, zeta }
+    }
+
+    /// Derivative along the second seed of the residual along the first; `slopes` are derivatives
+    /// along the second.
+    #[inline]
+    fn second(&self, jet: &Jet, slopes: &Slopes) -> f64 {
+        let normal = self.normal(jet.gap, slopes.measure);
+        self.friction.as_ref().map_or(normal, |friction| {
+            let along = friction.along(slopes.traction, jet.zeta);
+            normal + self.weight * (along * Dual64::new(self.measure, slopes.measure)).eps
+        })
+    }
+
+    #[inline]
+    fn normal(&self, gap: HyperDual64, slope: f64) -> f64 {
         if self.from_energy {
             return self.weight
                 * self
@@ -212,6 +225,47 @@ impl<'a> Contribution<'a> {
         let force = self.law.force(Dual64::new(gap.re, gap.eps2));
         let along = Dual64::new(gap.eps1, gap.eps1eps2);
         self.weight * (force * along * Dual64::new(self.measure, slope)).eps
+    }
+}
+
+/// Gap and projected parameters with derivatives along two seeds.
+struct Jet {
+    gap: HyperDual64,
+    zeta: [HyperDual64; 2],
+}
+
+impl Jet {
+    /// The seeds in the other order.
+    fn swapped(&self) -> Self {
+        let swap = |d: HyperDual64| HyperDual64::new(d.re, d.eps2, d.eps1, d.eps1eps2);
+        Self {
+            gap: swap(self.gap),
+            zeta: self.zeta.map(swap),
+        }
+    }
+}
+
+/// Derivatives along the second of two seeds: of the measure and of T_i.
+struct Slopes {
+    measure: f64,
+    traction: [f64; 2],
+}
+
+impl Slopes {
+    fn unknown(of: &Contribution<'_>, j: usize) -> Self {
+        Self {
+            measure: of.measure_gradient[j],
+            traction: of.friction.as_ref().map_or([0.0; 2], |f| f.slope(j)),
+        }
+    }
+
+    fn direction(of: &Contribution<'_>, direction: &[f64]) -> Self {
+        let slopes = of.measure_gradient.iter().zip(direction);
+        let friction = of.friction.as_ref();
+        Self {
+            measure: slopes.map(|(j, d)| j * d).sum(),
+            traction: friction.map_or([0.0; 2], |f| f.slope_along(direction)),
+        }
     }
 }
 

@@ -7,13 +7,17 @@
 //!
 //! Where the law has an energy and the measure does not move, residual and tangent are gradient
 //! and Hessian of `Σ_q w_q J_q W(g_q)`. Otherwise the residual is `Σ_q w_q J_q N(g_q) dg_q`, `dg`
-//! from the hyper-dual gap, and the tangent its derivative.
+//! from the hyper-dual gap, and the tangent its derivative. Friction adds `Σ_q w_q J_q T_i dζ^i`.
 
 mod assemble;
+mod friction;
 mod point;
 
 pub use assemble::{energy, evaluate, reports, residual, tangent_times};
+pub use friction::{Accepted, FrictionHistory, FrictionReport};
 pub use point::{HyperPoint, PointSolution, Seed, Sweep};
+
+use num_dual::Dual64;
 
 use super::error::OracleError;
 use super::geometry::Feature;
@@ -42,6 +46,9 @@ pub struct State<'s> {
     pub displacement: &'s [f64],
     /// Where the projections start.
     pub start: Start<'s>,
+    /// What each contact point remembers; empty: contact begins at all of them. Without meaning
+    /// for a pair without friction.
+    pub friction: &'s [FrictionHistory],
 }
 
 /// Status of a contact point.
@@ -78,12 +85,14 @@ pub struct PointReport {
     pub conditioning: Option<Conditioning>,
     /// Newton iterations.
     pub iterations: usize,
+    /// Friction of a closed point.
+    pub friction: Option<FrictionReport>,
 }
 
 /// Result for a pair.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Evaluation {
-    /// `Σ w J W`; NaN if the law has no energy.
+    /// `Σ w J W`, plus what the tangential springs hold; NaN if the law has no energy.
     pub energy: f64,
     /// R, one entry per unknown.
     pub residual: Vec<f64>,
@@ -126,7 +135,24 @@ pub fn validate(pair: &Pair, state: &State<'_>) -> Result<(), OracleError> {
             return Err(OracleError::NotFinite("start"));
         }
     }
-    Ok(())
+    validate_friction(pair, state)
+}
+
+fn validate_friction(pair: &Pair, state: &State<'_>) -> Result<(), OracleError> {
+    let (expected, found) = (pair.points(), state.friction.len());
+    if found != 0 && found != expected {
+        return Err(OracleError::Length {
+            what: "friction",
+            expected,
+            found,
+        });
+    }
+    let finite = |h: &FrictionHistory| h.slip.is_finite() && h.anchor.iter().all(|v| v.is_finite());
+    if state.friction.iter().all(finite) {
+        Ok(())
+    } else {
+        Err(OracleError::NotFinite("friction"))
+    }
 }
 
 /// The parameters among which a start is searched and random states are drawn: the region, or the
@@ -162,6 +188,7 @@ fn locate<'a>(
         weight: frame.weight,
         conditioning: None,
         iterations: 0,
+        friction: None,
     };
     match project(&frame, start) {
         Projection::Inside(root) => {
@@ -169,6 +196,7 @@ fn locate<'a>(
             report.conditioning = Some(root.conditioning);
             report.iterations = root.iterations;
             let root = judge(&frame, root, &mut report)?;
+            friction::judge(&frame, state.friction.get(q), &mut report);
             return Ok((frame, root, report));
         }
         Projection::Outside { feature, z } => {
@@ -205,7 +233,10 @@ fn judge(
     report.gap = frame.gap(&relative);
     report.status = match pair.law.activity(report.gap) {
         Activity::Inactive => PointStatus::Open,
-        Activity::Active => PointStatus::Closed,
+        Activity::Active => {
+            report.force = pair.law.force(Dual64::from_re(report.gap)).re;
+            PointStatus::Closed
+        }
         Activity::Infeasible => return Err(OracleError::Infeasible { gap: report.gap }),
     };
     Ok(Some(root))

@@ -3,6 +3,7 @@
 //! The tables give rows, kinematics, gap, law and coefficients; the library's level 2 contracts them. The
 //! projection is the one that the compiled element found.
 
+mod friction;
 mod rows;
 
 use contact_elements::abi::OUTPUT_SIZE;
@@ -11,6 +12,8 @@ use contact_elements::runtime::{Coefficients, Placement, Receiver, Report, Tempo
 
 use crate::interpret::{Change, interpret};
 use crate::subject::{Answer, Input, Subject};
+use friction::Contact;
+pub(super) use friction::ellipse;
 use rows::{Point, fill};
 
 /// Program of an element that holds terms.
@@ -22,6 +25,27 @@ pub enum Place {
     Tangent,
     /// Measure.
     Measure,
+    /// Stiffness and bound of the tangential law.
+    Friction,
+    /// Force beyond the bound.
+    Sliding,
+    /// Coefficients of the tangential residual.
+    TangentialResidual,
+    /// Coefficients of the tangential tangent.
+    TangentialTangent,
+}
+
+impl Place {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Law,
+        Self::Tangent,
+        Self::Measure,
+        Self::Friction,
+        Self::Sliding,
+        Self::TangentialResidual,
+        Self::TangentialTangent,
+    ];
 }
 
 /// A changed term: where, which, how.
@@ -44,6 +68,10 @@ pub fn program(subject: &Subject, place: Place) -> Option<&'static Program> {
         Place::Law => Some(&subject.description.law.law),
         Place::Tangent => subject.description.programs.tangent.as_ref(),
         Place::Measure => subject.description.programs.measure.as_ref(),
+        Place::Friction => subject.description.tangential.map(|law| &law.friction),
+        Place::Sliding => subject.description.tangential?.sliding.as_ref(),
+        Place::TangentialResidual => subject.description.programs.tangential_residual.as_ref(),
+        Place::TangentialTangent => subject.description.programs.tangential_tangent.as_ref(),
     }
 }
 
@@ -71,6 +99,7 @@ struct Assembly<'a, const D: usize, const P: usize> {
     subject: &'a Subject,
     parameters: &'a [f64],
     slave_row: &'a [f64],
+    history: &'a [f64],
     mutation: Option<Mutation>,
     /// Positions, in the frame of a placed geometry.
     x: Vec<[f64; D]>,
@@ -125,6 +154,7 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             subject,
             parameters: input.parameters,
             slave_row: input.slave_row,
+            history: input.history,
             mutation,
             x,
             global,
@@ -145,8 +175,8 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             .map(<[f64]>::to_vec)
             .collect();
         for (number, output) in points.iter().enumerate() {
-            if output[0] == 1.0 {
-                self.closed(number, [output[4], output[5]]);
+            if (1.0..=3.0).contains(&output[0]) {
+                self.closed(number, [output[4], output[5]], output[0] == 3.0);
             }
         }
         self.result
@@ -158,7 +188,7 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             .map(|(_, change)| change)
     }
 
-    fn closed(&mut self, number: usize, zeta: [f64; 2]) {
+    fn closed(&mut self, number: usize, zeta: [f64; 2], slips: bool) {
         let (row, slopes, rule_weight) = self.slave(number);
         let point = self.kinematics(&row, zeta);
         let (n, distance, gap) = self.gap(&point);
@@ -176,8 +206,20 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
         }
         self.energy(weight * law.get(2).copied().unwrap_or(f64::NAN));
         let coefficients = self.coefficients(&point, &n, distance, (traction, slope), weight);
-        let variation: Vec<f64> = variation.iter().map(|v| v * traction).collect();
-        self.contract(&point, &normal, &coefficients, &variation);
+        let moved: Vec<f64> = variation.iter().map(|v| v * traction).collect();
+        self.contract(&point, &normal, &coefficients, &moved);
+        let contact = Contact {
+            number,
+            zeta,
+            slips,
+            n: &n,
+            distance,
+            traction,
+            slope,
+            weight,
+            variation: &variation,
+        };
+        self.tangential(&point, &contact);
     }
 
     /// n, L, g in the frame of the geometry.

@@ -12,6 +12,8 @@ pub(super) struct Point<const D: usize, const P: usize> {
     pub(super) r: [f64; D],
     pub(super) b: [[f64; D]; P],
     pub(super) second: Vec<[f64; D]>,
+    /// s_A,ij
+    pub(super) bend: Vec<Vec<f64>>,
 }
 
 impl<const D: usize, const P: usize> Assembly<'_, D, P> {
@@ -59,6 +61,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             r: [0.0; D],
             b: [[0.0; D]; P],
             second: vec![[0.0; D]; h],
+            bend: vec![],
         };
         let mut bend: Vec<Vec<f64>> = vec![vec![0.0; n]; h];
         point.s[..slave.len()].copy_from_slice(slave);
@@ -102,7 +105,59 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         }
         self.add_nodes(&mut point, &bend);
         self.add_excess(&mut point, slave);
+        point.bend = bend;
         point
+    }
+
+    /// N_A,1 of a curve.
+    pub(super) fn slopes(&self, geometry: &GeometryPrograms, eta: f64) -> Vec<f64> {
+        let weights = self.subject.description.layout.slave_weights;
+        let values = self.shape(geometry, &[eta], weights);
+        let n = width(geometry, 1);
+        values[n..2 * n].to_vec()
+    }
+
+    /// r_,111 … in the order of the tangential program.
+    pub(super) fn third(&self, zeta: [f64; 2]) -> Vec<f64> {
+        let count = if P == 0 { 0 } else { 3 * P - 2 };
+        let mut third = vec![[0.0; D]; count];
+        let layout = &self.subject.description.layout;
+        let mut first = 0;
+        if let SlaveDescription::Projected(geometry) = &self.subject.description.slave {
+            first = 1;
+            let values = self.thirds(geometry, &zeta[..1], layout.slave_weights);
+            add_rows(&mut third[0], &values, &self.x, 1.0);
+        }
+        let n = self.x.len();
+        match &self.subject.description.master {
+            MasterDescription::Shape(geometry) => {
+                let own = &zeta[first..P];
+                let values = self.thirds(geometry, own, layout.master_weights);
+                let m = width(geometry, own.len());
+                for (row, values) in values.chunks_exact(m).enumerate() {
+                    let to = &mut third[if first == 1 { 3 } else { row }];
+                    add_rows(to, values, &self.x[n - m..], -1.0);
+                }
+            }
+            MasterDescription::Rigid(geometry) => {
+                let values = self.thirds(geometry, &zeta[first..P], layout.geometry);
+                for (row, values) in values.chunks_exact(D).enumerate() {
+                    let to = &mut third[if first == 1 { 3 } else { row }];
+                    for k in 0..D {
+                        to[k] -= values[k];
+                    }
+                }
+            }
+            MasterDescription::Point | MasterDescription::Distance(_) => {}
+        }
+        third.concat()
+    }
+
+    fn thirds(&self, geometry: &GeometryPrograms, zeta: &[f64], weights: usize) -> Vec<f64> {
+        let mut inputs = zeta.to_vec();
+        inputs.extend_from_slice(self.parameters.get(weights..).unwrap_or(&[]));
+        let third = geometry.third.as_ref();
+        third.map_or(vec![], |third| interpret(third, &inputs, None))
     }
 
     /// Rows of a slave curve whose parameter is projected too.
@@ -144,6 +199,15 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
                     second[k] += bend[a] * x[k];
                 }
             }
+        }
+    }
+}
+
+/// to += factor Σ row_A x_A
+fn add_rows<const D: usize>(to: &mut [f64; D], row: &[f64], x: &[[f64; D]], factor: f64) {
+    for (value, x) in row.iter().zip(x) {
+        for k in 0..D {
+            to[k] += factor * value * x[k];
         }
     }
 }

@@ -3,11 +3,11 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::expressions::{geometry_path, law_path};
+use super::expressions::{geometry_path, law_path, tangential_law_path};
 use super::facts::Facts;
 use crate::emit::parameters::rigid;
 use crate::emit::program::Emitted;
-use crate::model::{Gap, Linearisation, Master, Measure, Rule, Slave};
+use crate::model::{Axis, Gap, Linearisation, Master, Measure, Rule, Slave};
 
 impl Facts<'_> {
     pub(super) fn tables(&self) -> TokenStream {
@@ -22,12 +22,30 @@ impl Facts<'_> {
         };
         let tangent = optional(self.tangent.as_ref());
         let measure = optional(self.measure.as_ref());
+        let friction = self.friction.as_ref();
+        let shared = |emitted: Option<&Emitted>| match emitted {
+            Some(emitted) => {
+                let table = emitted.constant();
+                quote! { Some(friction::#table) }
+            }
+            None => quote! { None },
+        };
+        let frame = shared(friction.map(|friction| &friction.frame));
+        let force = shared(friction.map(|friction| &friction.residual));
+        let turn = shared(friction.and_then(|friction| friction.tangent.as_ref()));
         let description = self.description();
         quote! {
             impl #name {
                 /// The programs of this element, for verification.
                 pub const PROGRAMS: ElementPrograms =
-                    ElementPrograms { gap: #gap, tangent: #tangent, measure: #measure };
+                    ElementPrograms {
+                        gap: #gap,
+                        tangent: #tangent,
+                        measure: #measure,
+                        frame: #frame,
+                        tangential_residual: #force,
+                        tangential_tangent: #turn,
+                    };
                 /// What was declared, for verification.
                 pub const DESCRIPTION: ElementDescription = #description;
             }
@@ -53,6 +71,18 @@ impl Facts<'_> {
             }
         };
         let law = law_path(&self.element.law);
+        let tangential = match &self.element.tangential {
+            Some(tangential) => {
+                let path = tangential_law_path(&tangential.law);
+                quote! { Some(&#path::PROGRAMS) }
+            }
+            None => quote! { None },
+        };
+        let axis = match self.element.tangential.as_ref().and_then(|t| t.axis) {
+            None => quote! { AxisDescription::None },
+            Some(Axis::Convected) => quote! { AxisDescription::Convected },
+            Some(Axis::Slave) => quote! { AxisDescription::Slave },
+        };
         let (_, placed) = rigid(self.element);
         let signed = self.element.gap == Gap::Signed;
         let tangent_plane = self.element.linearisation == Linearisation::TangentPlane;
@@ -68,6 +98,8 @@ impl Facts<'_> {
                 slave: #slave,
                 master: #master,
                 law: &#law::PROGRAMS,
+                tangential: #tangential,
+                axis: #axis,
                 placed: #placed,
                 signed: #signed,
                 tangent_plane: #tangent_plane,

@@ -5,9 +5,10 @@ use quote::quote;
 
 use super::facts::Facts;
 use crate::emit::parameters::{master_shape, rigid, slave_shape};
-use crate::emit::program::Emitted;
+use crate::emit::program::{Emitted, fnv};
 use crate::linearise::geometry;
 use crate::linearise::law::{bound_program, law_program};
+use crate::linearise::sliding::{friction_program, sliding_program};
 use crate::model::{Body, Measure, Slave};
 
 impl Facts<'_> {
@@ -19,7 +20,8 @@ impl Facts<'_> {
         let text = format!("{name}\0");
         let documentation = format!("{}\0", self.element.docs.trim());
         let parameters = self.parameters.list();
-        let symmetric = self.element.measure == Measure::Reference;
+        let friction = self.friction.is_some();
+        let symmetric = self.element.measure == Measure::Reference && !friction;
         let has_tangent = self.tangent.is_some();
         let operations = self.operations();
         let formulation = self.formulation();
@@ -27,6 +29,15 @@ impl Facts<'_> {
         let kernel = self.kernel();
         let flags = self.vector_flags();
         quote! {
+            // a function, not a closure: a closure behind a pointer is compiled twice
+            fn kernel(
+                call: &runtime::Call<'_>,
+                nodes: &runtime::Nodes<'_>,
+                memory: &mut [f64],
+                target: &mut ::contact_elements::abi::Target,
+            ) -> Result<runtime::Summary, runtime::InputError> {
+                #kernel
+            }
             impl #name {
                 /// What the C interface knows of this element.
                 pub const DESCRIPTOR: &'static ::contact_elements::abi::Descriptor = {
@@ -41,6 +52,7 @@ impl Facts<'_> {
                             points: #q,
                             projected: #p,
                             parameters: #parameters,
+                            friction: #friction,
                             symmetric: #symmetric,
                             tangent: #has_tangent,
                             energy: <<#name as runtime::Element<#d, #p, #h>>::Law
@@ -49,7 +61,7 @@ impl Facts<'_> {
                             formulation: #formulation,
                             vectors: &[#(#flags),*],
                             centre: <#name as runtime::Element<#d, #p, #h>>::START,
-                            kernel: #kernel,
+                            kernel,
                         };
                     &DESCRIPTOR
                 };
@@ -57,7 +69,7 @@ impl Facts<'_> {
         }
     }
 
-    /// The kernel with all sizes of this element filled in.
+    /// The call of the kernel with all sizes of this element filled in.
     fn kernel(&self) -> TokenStream {
         let name = &self.element.name;
         let (d, p, h) = self.sizes();
@@ -68,19 +80,15 @@ impl Facts<'_> {
         let interpolated = matches!(self.element.slave, Slave::Interpolated);
         if interpolated {
             quote! {
-                |call, nodes, memory, target| {
-                    runtime::interpolated::<#name, _, #d, #p, #h>(
-                        call, nodes, &[#(#vectors),*], memory, target,
-                    )
-                }
+                runtime::interpolated::<#name, _, #d, #p, #h>(
+                    call, nodes, &[#(#vectors),*], memory, target,
+                )
             }
         } else {
             quote! {
-                |call, nodes, memory, target| {
-                    runtime::fixed::<#name, _, #d, #p, #h, #n, #q, #padded>(
-                        call, nodes, &[#(#vectors),*], target,
-                    )
-                }
+                runtime::fixed::<#name, _, #d, #p, #h, #n, #q, #padded>(
+                    call, nodes, &[#(#vectors),*], target,
+                )
             }
         }
     }
@@ -88,20 +96,32 @@ impl Facts<'_> {
     /// Operations of one evaluation of the point programs, the law included.
     fn operations(&self) -> usize {
         let law = Emitted::new(&law_program(&self.element.law), "");
+        let tangential = self.tangential_law();
         self.emitted()
             .chain([&law])
+            .chain(&tangential)
             .map(|emitted| emitted.program.operations())
             .sum()
     }
 
+    /// The programs of the tangential law.
+    fn tangential_law(&self) -> Vec<Emitted> {
+        let Some(tangential) = &self.element.tangential else {
+            return vec![];
+        };
+        let law = &tangential.law;
+        let sliding = (!law.bound.is_empty()).then(|| sliding_program(law));
+        [friction_program(law)]
+            .iter()
+            .chain(&sliding)
+            .map(|program| Emitted::new(program, ""))
+            .collect()
+    }
+
     /// FNV-1a hash of the programs' tables: changes when the emitted code means something else.
     fn formulation(&self) -> u64 {
-        let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-        let mut absorb = |text: &str| {
-            for byte in text.bytes() {
-                hash = (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-            }
-        };
+        let mut all = String::new();
+        let mut absorb = |text: &str| all.push_str(text);
         for emitted in self.emitted() {
             absorb(&emitted.table().to_string());
         }
@@ -122,6 +142,9 @@ impl Facts<'_> {
         }
         let law = &self.element.law;
         absorb(&Emitted::new(&law_program(law), "").table().to_string());
+        for emitted in self.tangential_law() {
+            absorb(&emitted.table().to_string());
+        }
         let bounds = [Some(&law.active), law.valid.as_ref()];
         for bound in bounds.into_iter().flatten() {
             let program = bound_program(law, "bound", bound);
@@ -132,6 +155,6 @@ impl Facts<'_> {
         }
         absorb(&format!("{:?} {:?}", self.points, self.vector_flags()));
         absorb(&self.parameters.layout().to_string());
-        hash
+        fnv(&all)
     }
 }

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use crate::linearise::second_derivatives;
-use crate::model::{Body, Geometry, Law};
+use crate::model::{Body, Geometry, Law, TangentialLaw};
 
 /// Nodes of a shape; a rigid geometry has none.
 pub(super) fn nodes(geometry: &Geometry) -> usize {
@@ -28,6 +28,15 @@ pub(super) fn geometry_path(geometry: &Geometry) -> TokenStream {
 }
 
 pub(super) fn law_path(law: &Law) -> TokenStream {
+    let name = &law.name;
+    if law.built_in {
+        quote! { ::contact_elements::laws::#name }
+    } else {
+        quote! { #name }
+    }
+}
+
+pub(super) fn tangential_law_path(law: &TangentialLaw) -> TokenStream {
     let name = &law.name;
     if law.built_in {
         quote! { ::contact_elements::laws::#name }

@@ -1,6 +1,9 @@
 //! What is known of an element before anything is emitted: its programs, sizes and parameters.
 
+use proc_macro2::TokenStream;
+
 use super::expressions::nodes;
+use super::friction::Friction;
 use crate::emit::divisors::Divisors;
 use crate::emit::parameters::{Parameters, master_shape, slave_shape};
 use crate::emit::program::Emitted;
@@ -20,6 +23,7 @@ pub(super) struct Facts<'a> {
     pub(super) gap: Emitted,
     pub(super) tangent: Option<Emitted>,
     pub(super) measure: Option<Emitted>,
+    pub(super) friction: Option<Friction>,
     pub(super) divisors: Divisors,
 }
 
@@ -56,6 +60,7 @@ impl<'a> Facts<'a> {
                 Master::Shape(geometry) => nodes(geometry),
                 _ => 0,
             },
+            friction: Friction::new(element, &kinematics),
             element,
             kinematics,
             gap: Emitted::new(&gap, ""),
@@ -91,6 +96,19 @@ impl<'a> Facts<'a> {
         ]
         .into_iter()
         .flatten()
+        .chain(self.friction.iter().flat_map(Friction::emitted))
+    }
+
+    /// The functions of the element's own programs; those of friction are shared.
+    pub(super) fn functions(&self) -> impl Iterator<Item = TokenStream> {
+        [
+            Some(&self.gap),
+            self.tangent.as_ref(),
+            self.measure.as_ref(),
+        ]
+        .into_iter()
+        .flatten()
+        .map(Emitted::whole_function)
     }
 
     /// Which nodes are tangent vectors.
@@ -112,7 +130,7 @@ impl<'a> Facts<'a> {
 }
 
 /// Which parameters move what, and where anything is curved.
-fn kinematics(element: &Element) -> Kinematics {
+pub(super) fn kinematics(element: &Element) -> Kinematics {
     let (moving, curved) = match (&element.slave, &element.master) {
         (Slave::Projected(slave), Master::Shape(master)) => {
             let (first, second) = (geometry::curved(slave)[0], geometry::curved(master)[0]);

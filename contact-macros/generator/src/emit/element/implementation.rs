@@ -3,16 +3,30 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::expressions::law_path;
+use super::expressions::{law_path, tangential_law_path};
 use super::facts::Facts;
 use crate::emit::domain;
-use crate::model::{Body, Gap, Master, Measure, Slave};
+use crate::linearise::geometry::periods;
+use crate::model::{Axis, Body, Gap, Master, Measure, Slave};
 
 impl Facts<'_> {
     pub(super) fn implementation(&self) -> TokenStream {
         let name = &self.element.name;
         let (d, p, h) = self.sizes();
         let law = law_path(&self.element.law);
+        let tangential = match &self.element.tangential {
+            Some(tangential) => tangential_law_path(&tangential.law),
+            None => quote! { runtime::Frictionless },
+        };
+        let slave_axis = matches!(
+            &self.element.tangential,
+            Some(tangential) if tangential.axis == Some(Axis::Slave)
+        );
+        let mut periods = match &self.element.master {
+            Master::Rigid { geometry, .. } => periods(geometry),
+            _ => vec![],
+        };
+        periods.resize(2, 0.0);
         let layout = self.parameters.layout();
         let search = self.search();
         let moving = self.kinematics.moving.iter().any(|&moving| moving);
@@ -35,10 +49,12 @@ impl Facts<'_> {
             self.gap_method(),
             self.tangent_method(),
             self.measure_method(),
+            self.friction_methods(),
         ];
         quote! {
             impl runtime::Element<#d, #p, #h> for #name {
                 type Law = #law;
+                type Tangential = #tangential;
                 const LAYOUT: runtime::Layout = #layout;
                 const SEARCH: runtime::Search = #search;
                 const MOVING: bool = #moving;
@@ -47,6 +63,8 @@ impl Facts<'_> {
                 const CURRENT: bool = #current;
                 const SLAVE_NODES: usize = #slave_nodes;
                 const MASTER_NODES: usize = #master_nodes;
+                const SLAVE_AXIS: bool = #slave_axis;
+                const PERIODS: [f64; 2] = [#(#periods),*];
                 const DOMAINS: [runtime::Domain; 2] = [#(#domains),*];
                 const TWO_CURVES: bool = #two_curves;
                 const PARALLEL: runtime::Status = #parallel;

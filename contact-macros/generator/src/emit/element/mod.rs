@@ -7,6 +7,7 @@
 //! | `slave` | which shape row the slave has |
 //! | `kinematics` | where slave and master are |
 //! | `gap`, `tangent`, `measure` | gap, coefficients of the tangent, area of a point |
+//! | `friction` | frame, residual and tangent of tangential contact |
 //! | `descriptor` | what the C interface knows |
 //! | `description` | what the verification knows |
 
@@ -14,6 +15,7 @@ mod description;
 mod descriptor;
 mod expressions;
 mod facts;
+mod friction;
 mod gap;
 mod implementation;
 mod kinematics;
@@ -27,9 +29,9 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::imports;
-use super::program::Emitted;
 use crate::model::Element;
 use facts::Facts;
+pub use friction::emit_friction;
 
 /// The type of an element with all that belongs to it.
 pub fn emit_element(element: &Element) -> TokenStream {
@@ -37,15 +39,7 @@ pub fn emit_element(element: &Element) -> TokenStream {
     let name = &element.name;
     let docs = &element.docs;
     let module = format_ident!("_element_{}", name.to_string().to_lowercase());
-    let functions: TokenStream = [
-        Some(&facts.gap),
-        facts.tangent.as_ref(),
-        facts.measure.as_ref(),
-    ]
-    .into_iter()
-    .flatten()
-    .map(Emitted::whole_function)
-    .collect();
+    let functions: TokenStream = facts.functions().collect();
     let divisors = facts.divisors.functions();
     let statics = facts.statics();
     let implementation = facts.implementation();

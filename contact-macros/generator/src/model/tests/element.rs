@@ -16,10 +16,10 @@ fn entries_of_elements() {
         "did you mean `master`?",
     );
     assert_mistake(
-        "element E { slave: point; master: Quad4; normal: Penalty; «friction: Coulomb; }",
-        "an element has no entry `friction`",
-        "an element has the entries `dimension`, `slave`, `master`, `normal`, `gap`, \
-         `linearisation`, `measure` and `outputs`",
+        "element E { slave: point; master: Quad4; normal: Penalty; «damping: Viscous; }",
+        "an element has no entry `damping`",
+        "an element has the entries `dimension`, `slave`, `master`, `normal`, `tangential`, `axis`, \
+         `gap`, `linearisation`, `measure` and `outputs`",
     );
     assert_mistake(
         "element E { slave: point; master: Quad4; «master: Tri3; normal: Penalty; }",

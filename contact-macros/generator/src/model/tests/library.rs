@@ -63,6 +63,19 @@ fn the_library_is_complete() {
             .iter()
             .all(|geometry| geometry.built_in && !geometry.docs.is_empty())
     );
+    let laws: Vec<String> = model
+        .tangential_laws
+        .iter()
+        .map(|law| law.name.to_string())
+        .collect();
+    let expected = "Coulomb Stick CoulombOrthotropic CoulombAdhesive CoulombStaticKinetic";
+    assert_eq!(laws.join(" "), expected);
+    assert!(
+        model
+            .tangential_laws
+            .iter()
+            .all(|law| law.built_in && !law.docs.is_empty())
+    );
     assert!(
         model
             .laws
@@ -266,5 +279,52 @@ fn laws_have_the_tractions_of_the_books() {
             if limit.evaluate(&|_| None) == 0.0);
         assert_eq!(starts_at_zero, name != "LogBarrier");
         assert_eq!(law.valid.is_some(), name != "Penalty");
+    }
+}
+
+#[test]
+fn tangential_laws_have_the_bounds_of_the_books() {
+    let model = Model::library();
+    let parameters = [
+        ("eps_t", 7.0),
+        ("eps_1", 7.0),
+        ("eps_2", 5.0),
+        ("mu", 0.3),
+        ("mu_1", 0.3),
+        ("mu_2", 0.2),
+        ("mu_s", 0.4),
+        ("mu_k", 0.1),
+        ("c", 0.6),
+        ("decay", 0.8),
+    ];
+    let (pressure, slip) = (11.0, 0.5);
+    let falling = pressure * (0.1 + 0.3 * f64::exp(-slip / 0.8));
+    let cases: [(&str, &[f64], &[f64]); 5] = [
+        ("Coulomb", &[7.0], &[0.3 * pressure]),
+        ("Stick", &[7.0], &[]),
+        (
+            "CoulombOrthotropic",
+            &[7.0, 5.0],
+            &[0.3 * pressure, 0.2 * pressure],
+        ),
+        ("CoulombAdhesive", &[7.0], &[0.6 + 0.3 * pressure]),
+        ("CoulombStaticKinetic", &[7.0], &[falling]),
+    ];
+    for (name, stiffness, bound) in cases {
+        let laws = &model.tangential_laws;
+        let law = laws.iter().find(|law| law.name == name).unwrap();
+        let value = |name: &syn::Ident| match name {
+            name if *name == law.pressure => Some(pressure),
+            name if *name == law.slip => Some(slip),
+            name => parameters
+                .iter()
+                .find(|(known, _)| name == known)
+                .map(|(_, value)| *value),
+        };
+        let values = |exprs: &[crate::model::Expr]| -> Vec<f64> {
+            exprs.iter().map(|expr| expr.evaluate(&value)).collect()
+        };
+        assert!(close(&values(&law.stiffness), stiffness), "{name}");
+        assert!(close(&values(&law.bound), bound), "{name}");
     }
 }

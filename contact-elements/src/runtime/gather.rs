@@ -1,0 +1,231 @@
+//! Coordinates of an element's nodes, from anywhere in memory to the local origin.
+
+use super::element::Element;
+use super::kernel::InputError;
+use super::placement::Placement;
+use crate::arithmetic::abs;
+
+/// Where the coordinates of the nodes stand.
+#[derive(Clone, Copy, Debug)]
+pub struct Coordinates<'a> {
+    /// The array.
+    pub values: &'a [f64],
+    /// Position of node 0 (unused with a connectivity).
+    pub offset: usize,
+    /// Distance from node to node.
+    pub node_stride: usize,
+    /// Distance from component to component.
+    pub component_stride: usize,
+}
+
+/// The nodes of one element.
+#[derive(Clone, Copy, Debug)]
+pub struct Nodes<'a> {
+    /// Reference coordinates.
+    pub x: Coordinates<'a>,
+    /// Displacements; none: zero.
+    pub u: Option<Coordinates<'a>>,
+    /// Numbers of the nodes in the arrays; none: 0, 1, 2 …
+    pub connectivity: Option<&'a [i32]>,
+    /// Number of nodes.
+    pub count: usize,
+}
+
+/// Largest magnitude of a coordinate [length].
+const LARGEST: f64 = 1e30;
+
+/// True for finite values within the supported magnitude; looks at the bits only, so that a signalling
+/// NaN raises nothing.
+#[inline(always)]
+pub(crate) fn is_usable(value: f64) -> bool {
+    (value.to_bits() & !(1 << 63)) <= LARGEST.to_bits()
+}
+
+/// Negative as an integer for values that are not usable.
+#[inline(always)]
+fn room(value: f64) -> u64 {
+    LARGEST.to_bits().wrapping_sub(value.to_bits() & !(1 << 63))
+}
+
+impl Coordinates<'_> {
+    /// The first `count` nodes, where they stand one after another.
+    #[inline(always)]
+    fn dense<const D: usize>(&self, count: usize) -> Option<&[f64]> {
+        if self.component_stride == 1 && self.node_stride == D {
+            self.values.get(self.offset..)?.get(..count * D)
+        } else {
+            None
+        }
+    }
+
+    #[inline(always)]
+    fn node<const D: usize>(&self, node: usize) -> Option<[f64; D]> {
+        let start = self.offset + node * self.node_stride;
+        if self.component_stride == 1 {
+            return self.values.get(start..)?.first_chunk::<D>().copied();
+        }
+        let mut value = [0.0; D];
+        for (k, value) in value.iter_mut().enumerate() {
+            *value = *self.values.get(start + k * self.component_stride)?;
+        }
+        Some(value)
+    }
+}
+
+impl Nodes<'_> {
+    /// Checks all coordinates of the first `count` nodes before anything is computed with them.
+    #[inline(always)]
+    fn check<const D: usize>(&self, count: usize) -> Result<(), InputError> {
+        let mut signs = 0;
+        if let (None, None, Some(block)) = (&self.u, self.connectivity, self.x.dense::<D>(count)) {
+            for &value in block {
+                signs |= room(value);
+            }
+        } else {
+            for a in 0..count {
+                for value in self.reference::<D>(a)? {
+                    signs |= room(value);
+                }
+                for value in self.displacement::<D>(a)? {
+                    signs |= room(value);
+                }
+            }
+        }
+        if signs >> 63 == 0 {
+            Ok(())
+        } else {
+            Err(self.first_unusable::<D>(count))
+        }
+    }
+
+    /// What [`Nodes::check`] found.
+    #[cold]
+    fn first_unusable<const D: usize>(&self, count: usize) -> InputError {
+        let unusable = |value: [f64; D]| !value.into_iter().all(is_usable);
+        for a in 0..count {
+            if self.reference(a).is_ok_and(unusable) {
+                return InputError::Position(a);
+            }
+            if self.displacement(a).is_ok_and(unusable) {
+                return InputError::Displacement(a);
+            }
+        }
+        InputError::Position(0)
+    }
+
+    #[inline(always)]
+    fn reference<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
+        self.number(a)
+            .and_then(|node| self.x.node(node))
+            .ok_or(InputError::Position(a))
+    }
+
+    #[inline(always)]
+    fn displacement<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
+        match &self.u {
+            None => Ok([0.0; D]),
+            Some(u) => self
+                .number(a)
+                .and_then(|node| u.node(node))
+                .ok_or(InputError::Displacement(a)),
+        }
+    }
+
+    #[inline(always)]
+    fn number(&self, a: usize) -> Option<usize> {
+        match self.connectivity {
+            None => Some(a),
+            Some(list) => usize::try_from(*list.get(a)?).ok(),
+        }
+    }
+}
+
+/// Gathers the nodes relative to a local origin: the first slave node, or the frame of a placed geometry.
+/// Differences are taken of reference coordinates and of displacements apart, so that nothing is lost far
+/// from the origin. [eq:local-origin] Returns the origin in the local frame.
+#[inline(always)]
+pub(super) fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    nodes: &Nodes<'_>,
+    parameters: &[f64],
+    is_vector: impl Fn(usize) -> bool,
+    x: &mut [[f64; D]],
+    reference: &mut [[f64; D]],
+) -> Result<[f64; D], InputError> {
+    nodes.check::<D>(x.len())?;
+    let placement: Option<Placement<D>> = E::LAYOUT
+        .placement
+        .map(|at| Placement::from_parameters(parameters.get(at..).unwrap_or(&[])));
+    let rigid = E::MASTER_NODES == 0;
+    let (mut origin, mut shift) = ([0.0; D], [0.0; D]);
+    if let Some(placement) = &placement {
+        origin = placement.origin;
+    } else if !rigid {
+        origin = nodes.reference(0)?;
+        shift = nodes.displacement(0)?;
+    }
+    for (a, local) in x.iter_mut().enumerate() {
+        let position: [f64; D] = nodes.reference(a)?;
+        let displacement: [f64; D] = nodes.displacement(a)?;
+        let is_vector = is_vector(a);
+        let mut value = [0.0; D];
+        if is_vector {
+            for k in 0..D {
+                value[k] = position[k] + displacement[k];
+            }
+        } else if a > 0 || rigid {
+            for k in 0..D {
+                value[k] = position[k] - origin[k];
+            }
+            if nodes.u.is_some() {
+                for k in 0..D {
+                    value[k] += displacement[k] - shift[k];
+                }
+            }
+        }
+        if let Some(reference) = reference.get_mut(a) {
+            for k in 0..D {
+                reference[k] = if is_vector {
+                    position[k]
+                } else {
+                    position[k] - origin[k]
+                };
+            }
+        }
+        *local = match &placement {
+            Some(placement) => placement.vector_to_local(&value),
+            None => value,
+        };
+    }
+    for k in 0..D {
+        origin[k] += shift[k];
+    }
+    if let Some(placement) = &placement {
+        origin = placement.vector_to_local(&origin);
+    }
+    Ok(origin)
+}
+
+/// A slave row need not sum to one (hierarchical shape functions): Σ N_A x_A − o differs from
+/// Σ N_A (x_A − o) by (Σ N_A − 1) o, which the node of the largest entry takes over. [eq:row-sum]
+#[inline(always)]
+pub(super) fn shift_of_row<const D: usize>(
+    slave_row: &[f64],
+    origin: &[f64; D],
+    x: &mut [[f64; D]],
+) {
+    let Some((_, row)) = slave_row.split_last() else {
+        return;
+    };
+    let mut excess = -1.0;
+    let mut largest: f64 = 0.0;
+    for &entry in row {
+        excess += entry;
+        largest = largest.max(abs(entry));
+    }
+    let node = row.iter().zip(x).find(|(entry, _)| abs(**entry) >= largest);
+    if let (Some((&entry, x)), true) = (node, largest > 1e-30) {
+        for k in 0..D {
+            x[k] += excess * origin[k] / entry;
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! Tangential contact of one point within an evaluation: from the history to force, tangent and new history.
+//!
+//! Calls, not inlined: the kernel of an element stays as small as without friction, and compiles as fast.
+
+use core::cell::Cell;
+
+use super::classify::Point;
+use super::driver::{Stage, scale_variation};
+use super::element::Element;
+use super::friction::{Tangential, return_map};
+use super::placement::Placement;
+use super::receiver::{Call, Receiver};
+use super::tangential::contract_tangential;
+use super::values::{Coefficients, Frame, Status};
+use crate::arithmetic::abs;
+
+/// Least share of an axis in the tangent plane.
+const LEAST_SHARE: f64 = 1e-20;
+
+/// Tangential state of a closed point.
+#[derive(Clone, Copy)]
+pub(super) struct Sliding<const P: usize> {
+    pub(super) frame: Frame<P>,
+    pub(super) tangential: Tangential,
+    /// For the next step.
+    pub(super) anchor: [f64; P],
+    /// For the next step.
+    pub(super) path: f64,
+}
+
+impl<const P: usize> Default for Sliding<P> {
+    #[inline(always)]
+    fn default() -> Self {
+        Self {
+            frame: Frame::default(),
+            tangential: Tangential::default(),
+            anchor: [0.0; P],
+            path: 0.0,
+        }
+    }
+}
+
+/// Anchor and slip path of the accepted history; none where contact begins. [eq:anchor]
+#[inline(always)]
+fn accepted<const P: usize>(history: Option<&[Cell<f64>]>) -> Option<([f64; P], f64)> {
+    let history = history?;
+    let at = |index: usize| history.get(index).map_or(0.0, Cell::get);
+    if at(0) < 1.0 || at(0) > 3.0 {
+        return None;
+    }
+    Some((core::array::from_fn(|i| at(1 + P + i)), at(1 + 2 * P)))
+}
+
+/// First pass over a closed point: frame, slip, return map, new anchor; writes no output.
+#[inline(never)]
+pub(super) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    call: &Call<'_>,
+    x: &[[f64; D]],
+    number: usize,
+    point: &mut Point<D, P, H>,
+) -> Result<Sliding<P>, Status> {
+    let history = call
+        .history
+        .and_then(|history| history.get(number * E::HISTORY..));
+    // contact that begins is anchored where it is
+    let remembered = accepted(history);
+    let (anchor, path) = remembered.unwrap_or((point.zeta, 0.0));
+    let moved = core::array::from_fn(|i| point.zeta[i] - anchor[i]);
+    let Point { vectors, gap, .. } = &*point;
+    let frame = E::frame(number, x, vectors, gap, &moved, call.parameters);
+    // an axis of length zero, or a slave curve that stands on the surface
+    if !(is_finite(&frame) && frame.share > LEAST_SHARE) {
+        return Err(Status::Degenerate);
+    }
+    let mut s = [0.0; 2];
+    for (to, from) in s.iter_mut().zip(frame.s) {
+        *to = from;
+    }
+    let own = call.parameters.get(E::LAYOUT.tangential..).unwrap_or(&[]);
+    let forced = match (call.wanted.freeze, history.and_then(<[_]>::first)) {
+        (true, Some(status)) if status.get() == 2.0 => Some(Status::Stick),
+        (true, Some(status)) if status.get() == 3.0 => Some(Status::Slip),
+        _ => None,
+    };
+    let (status, mut tangential) =
+        return_map::<E::Tangential>(s, -point.law.traction, path, own, forced)?;
+    if remembered.is_none() {
+        tangential.c = [[0.0; 2]; 2]; // the anchor moves with the point
+    }
+    point.status = status;
+    let mut sliding = Sliding {
+        frame,
+        tangential,
+        anchor,
+        path,
+    };
+    if status == Status::Slip {
+        sliding.move_anchor(&point.zeta, s);
+    }
+    Ok(sliding)
+}
+
+impl<const P: usize> Sliding<P> {
+    /// The anchor that would give the force by sticking: ζ_st = ζ − E s_el; the path grows by |s − s_el|.
+    /// [eq:anchor]
+    #[inline(always)]
+    fn move_anchor(&mut self, zeta: &[f64; P], s: [f64; 2]) {
+        let elastic = self.tangential.elastic;
+        for i in 0..P {
+            self.anchor[i] = zeta[i];
+            for q in 0..P {
+                self.anchor[i] -= self.frame.e[i][q] * elastic.get(q).copied().unwrap_or(0.0);
+            }
+        }
+        let (first, second) = (s[0] - elastic[0], s[1] - elastic[1]);
+        self.path += crate::arithmetic::sqrt(first * first + second * second);
+    }
+}
+
+#[inline(always)]
+fn is_finite<const P: usize>(frame: &Frame<P>) -> bool {
+    let mut finite = true;
+    for i in 0..P {
+        finite &= abs(frame.s[i]) <= f64::MAX;
+        for &entry in &frame.e[i] {
+            finite &= abs(entry) <= f64::MAX;
+        }
+    }
+    finite
+}
+
+/// Adds the tangential residual. [eq:tangential-residual]
+#[inline(never)]
+pub(super) fn residual<
+    E: Element<D, P, H>,
+    R: Receiver,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
+    stage: &Stage<'_, D, P, H>,
+    placement: &Option<Placement<D>>,
+    point: &Point<D, P, H>,
+    sliding: &Sliding<P>,
+    (n, weight): (&[f64; D], f64),
+    receiver: &mut R,
+) {
+    let (frame, tangential) = (&sliding.frame, &sliding.tangential);
+    let mut force = E::tangential_force(&point.vectors, &point.gap, frame, tangential);
+    if let Some(placement) = placement {
+        force.force = placement.vector_to_global(&force.force);
+    }
+    for (a, &s) in stage.rows.s.iter().enumerate() {
+        let mut turn = 0.0;
+        if E::MOVING {
+            for i in 0..P {
+                turn += force.turn[i] * stage.rows.ds[i].get(a).copied().unwrap_or(0.0);
+            }
+        }
+        for k in 0..D {
+            let value = weight * (s * force.force[k] + turn * n[k]);
+            receiver.force((a, k), value, false);
+        }
+    }
+}
+
+/// Number of a contact point, the point, its normal in the global frame, its weight.
+pub(super) type Place<'a, const D: usize, const P: usize, const H: usize> =
+    (usize, &'a Point<D, P, H>, &'a [f64; D], f64);
+
+/// Adds the tangential tangent. [eq:tangential-contraction]
+#[inline(never)]
+pub(super) fn tangent<
+    E: Element<D, P, H>,
+    R: Receiver,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
+    call: &Call<'_>,
+    stage: &mut Stage<'_, D, P, H>,
+    placement: &Option<Placement<D>>,
+    sliding: &Sliding<P>,
+    (number, point, n, weight): Place<'_, D, P, H>,
+    receiver: &mut R,
+) {
+    let scratch = &mut stage.tangential;
+    let third = E::higher(stage.x, &point.zeta, call.parameters, &mut scratch.second);
+    if E::SLAVE_AXIS {
+        E::slave_direction(number, call.parameters, scratch.slave);
+    }
+    let mut coefficients = E::tangential_tangent(
+        (number, stage.x),
+        &point.vectors,
+        &point.gap,
+        &sliding.frame,
+        &third,
+        (&sliding.tangential, point.law.slope),
+        call.parameters,
+    );
+    if let Some(placement) = placement {
+        let forms = coefficients.z.iter_mut().chain(&mut coefficients.p);
+        for form in forms.chain(&mut coefficients.g) {
+            *form = form.turned(|vector| placement.vector_to_global(vector));
+        }
+    }
+    let mut variation: &[f64] = &[];
+    if E::CURRENT {
+        let Stage {
+            reference,
+            x,
+            variation: rows,
+            ..
+        } = stage;
+        E::measure(number, reference, x, call.parameters, rows);
+        scale_variation(rows, 1.0, placement);
+        variation = rows;
+    }
+    let t = core::array::from_fn(|q| sliding.tangential.t.get(q).copied().unwrap_or(0.0));
+    contract_tangential(
+        &stage.rows,
+        n,
+        &coefficients,
+        weight,
+        (&t, variation),
+        E::MOVING,
+        scratch,
+        receiver,
+    );
+}
+
+/// Where no unknown turns the tangents, no axis moves with the slave and no measure with the point, the
+/// tangential tangent multiplies s_A s_B alone and joins the normal one: it costs no contraction.
+#[inline(always)]
+pub(super) fn joins<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>() -> bool {
+    !E::MOVING && !E::SLAVE_AXIS && !E::CURRENT
+}
+
+/// Adds the tangential tangent to the coefficients of the normal one, see [`joins`].
+#[inline(never)]
+pub(super) fn join<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    call: &Call<'_>,
+    x: &[[f64; D]],
+    (number, point, sliding): (usize, &Point<D, P, H>, &Sliding<P>),
+    coefficients: &mut Coefficients<D, P>,
+) {
+    let third = E::higher(
+        x,
+        &point.zeta,
+        call.parameters,
+        &mut core::array::from_fn(|_| <&mut [f64]>::default()),
+    );
+    E::tangential_tangent(
+        (number, x),
+        &point.vectors,
+        &point.gap,
+        &sliding.frame,
+        &third,
+        (&sliding.tangential, point.law.slope),
+        call.parameters,
+    )
+    .add_to(&mut coefficients.p);
+}

@@ -1,0 +1,333 @@
+//! What are frame, residual and tangent of tangential contact?
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::expressions::{components, geometry_path, is_rational, matrix, nodes, shape_call};
+use super::facts::{Facts, kinematics};
+use crate::emit::imports;
+use crate::emit::program::Emitted;
+use crate::linearise::{frame, tangential, third_derivatives};
+use crate::model::{Axis, Element, Geometry, Master, Rule, Slave};
+
+/// The programs of tangential contact.
+pub(super) struct Friction {
+    pub(super) frame: Emitted,
+    pub(super) residual: Emitted,
+    pub(super) tangent: Option<Emitted>,
+    axis: Option<Axis>,
+}
+
+impl Friction {
+    /// None for a frictionless element.
+    pub(super) fn new(
+        element: &Element,
+        kinematics: &crate::linearise::Kinematics,
+    ) -> Option<Self> {
+        let axis = element.tangential.as_ref()?.axis;
+        let tangent = (!element.residual_only)
+            .then(|| Emitted::shared(&tangential::tangent_program(kinematics, axis)));
+        Some(Self {
+            frame: Emitted::shared(&frame::frame_program(kinematics, axis)),
+            residual: Emitted::shared(&tangential::residual_program(kinematics)),
+            tangent,
+            axis,
+        })
+    }
+
+    pub(super) fn emitted(&self) -> impl Iterator<Item = &Emitted> {
+        [&self.frame, &self.residual]
+            .into_iter()
+            .chain(&self.tangent)
+    }
+}
+
+/// The module of the programs of tangential contact. Elements with the same number of parameters and the same
+/// vanishing terms share them: each is compiled once, as a call.
+pub fn emit_friction(elements: &[Element]) -> TokenStream {
+    let mut seen = std::collections::BTreeSet::new();
+    let mut items = TokenStream::new();
+    for element in elements {
+        let friction = Friction::new(element, &kinematics(element));
+        for emitted in friction.iter().flat_map(Friction::emitted) {
+            if seen.insert(emitted.function.to_string()) {
+                items.extend(emitted.shared_items());
+            }
+        }
+    }
+    if seen.is_empty() {
+        return items;
+    }
+    let imports = imports();
+    quote! {
+        #[allow(non_snake_case, non_upper_case_globals, unused_variables, clippy::all)]
+        mod friction {
+            #imports
+            #items
+        }
+    }
+}
+
+impl Facts<'_> {
+    /// The methods of the trait that only tangential contact has.
+    pub(super) fn friction_methods(&self) -> TokenStream {
+        let Some(friction) = &self.friction else {
+            return quote! {};
+        };
+        let frame = self.frame_method(friction);
+        let force = self.force_method(friction);
+        let (higher, tangent) = match &friction.tangent {
+            Some(tangent) => (
+                self.higher_method(),
+                self.tangential_method(friction, &tangent.function),
+            ),
+            None => (quote! {}, quote! {}),
+        };
+        let direction = (friction.axis == Some(Axis::Slave)).then(|| self.direction_method());
+        quote! { #frame #force #higher #tangent #direction }
+    }
+
+    /// `slave_tangent`: the slave curve's own tangent, where it is an axis.
+    fn slave_tangent(&self, friction: &Friction) -> Option<TokenStream> {
+        let (Some(Axis::Slave), Slave::Integrated { geometry, rule }) =
+            (friction.axis, &self.element.slave)
+        else {
+            return None;
+        };
+        let (d, n) = (self.element.dimension, nodes(geometry));
+        let slopes = self.slave_slopes(geometry, rule);
+        Some(quote! {
+            let slopes: Option<[[f64; #n]; 1]> = #slopes;
+            let slave_tangent =
+                runtime::slave_tangents::<#d, 1, #n>(&slopes.unwrap_or([[0.0; #n]; 1]), x)[0];
+        })
+    }
+
+    /// N_A,1 of the slave curve at an integration point.
+    fn slave_slopes(&self, geometry: &Geometry, rule: &Rule) -> TokenStream {
+        let shape = shape_call(geometry);
+        let weights = self.parameters.slave_weights();
+        let start = self.parameters.point();
+        let weights = quote! { parameters.get(#weights..).unwrap_or(&[]) };
+        match rule {
+            Rule::Given => quote! {
+                parameters
+                    .get(#start..)
+                    .and_then(|eta| eta.first_chunk::<1>())
+                    .map(|eta| #shape(eta, #weights).d1)
+            },
+            Rule::Gauss(_) if is_rational(geometry) => {
+                quote! { POINTS.get(point).map(|eta| #shape(eta, #weights).d1) }
+            }
+            Rule::Gauss(_) => quote! { SLOPES.get(point).copied() },
+        }
+    }
+
+    fn direction_method(&self) -> TokenStream {
+        let Slave::Integrated { geometry, rule } = &self.element.slave else {
+            return quote! {};
+        };
+        let n = nodes(geometry);
+        let slopes = self.slave_slopes(geometry, rule);
+        quote! {
+            #[inline(always)]
+            fn slave_direction(point: usize, parameters: &[f64], row: &mut [f64]) {
+                let slopes: Option<[[f64; #n]; 1]> = #slopes;
+                if let (Some([slopes]), Some(row)) = (slopes, row.first_chunk_mut::<#n>()) {
+                    *row = slopes;
+                }
+            }
+        }
+    }
+
+    fn frame_method(&self, friction: &Friction) -> TokenStream {
+        let (d, p, h) = self.sizes();
+        let tangent = self.slave_tangent(friction);
+        let mut inputs: Vec<TokenStream> = (0..d).map(|k| quote! { gap.n[#k] }).collect();
+        for i in 0..p {
+            inputs.extend(components("b", Some(i), d));
+        }
+        inputs.extend((0..p).map(|i| quote! { moved[#i] }));
+        match friction.axis {
+            Some(Axis::Convected) => {
+                let at = self.parameters.axis();
+                inputs.extend(
+                    (at..at + 2).map(|at| quote! { parameters.get(#at).copied().unwrap_or(0.0) }),
+                );
+            }
+            Some(Axis::Slave) => inputs.extend((0..d).map(|k| quote! { slave_tangent[#k] })),
+            None => {}
+        }
+        let slip = (0..p).map(|q| quote! { o[#q] });
+        let frame = matrix(p, p, p);
+        let share = p + p * p;
+        let function = &friction.frame.function;
+        quote! {
+            #[inline(always)]
+            fn frame(
+                point: usize,
+                x: &[[f64; #d]],
+                vectors: &runtime::Vectors<#d, #p, #h>,
+                gap: &runtime::Gap<#d>,
+                moved: &[f64; #p],
+                parameters: &[f64],
+            ) -> runtime::Frame<#p> {
+                #tangent
+                let o = friction::#function(&[#(#inputs),*]);
+                runtime::Frame { s: [#(#slip),*], e: #frame, share: o[#share] }
+            }
+        }
+    }
+
+    /// n, L, b_i, r_,ij, E
+    fn contact_inputs(&self) -> Vec<TokenStream> {
+        let (d, p, h) = self.sizes();
+        let mut inputs: Vec<TokenStream> = (0..d).map(|k| quote! { gap.n[#k] }).collect();
+        inputs.push(quote! { gap.distance });
+        for i in 0..p {
+            inputs.extend(components("b", Some(i), d));
+        }
+        for i in 0..h {
+            inputs.extend(components("second", Some(i), d));
+        }
+        for i in 0..p {
+            inputs.extend((0..p).map(|q| quote! { frame.e[#i][#q] }));
+        }
+        inputs
+    }
+
+    fn force_method(&self, friction: &Friction) -> TokenStream {
+        let function = &friction.residual.function;
+        let (d, p, h) = self.sizes();
+        let mut inputs = self.contact_inputs();
+        inputs.extend((0..p).map(|q| quote! { tangential.t[#q] }));
+        let force = (0..d).map(|k| quote! { o[#k] });
+        let turn = (d..d + p).map(|k| quote! { o[#k] });
+        quote! {
+            #[inline(always)]
+            fn tangential_force(
+                vectors: &runtime::Vectors<#d, #p, #h>,
+                gap: &runtime::Gap<#d>,
+                frame: &runtime::Frame<#p>,
+                tangential: &runtime::Tangential,
+            ) -> runtime::TangentialForce<#d, #p> {
+                let o = friction::#function(&[#(#inputs),*]);
+                runtime::TangentialForce { force: [#(#force),*], turn: [#(#turn),*] }
+            }
+        }
+    }
+
+    fn tangential_method(&self, friction: &Friction, function: &Ident) -> TokenStream {
+        let (d, p, h) = self.sizes();
+        let tangent = self.slave_tangent(friction);
+        let mut inputs = self.contact_inputs();
+        for k in 0..third_derivatives(p) {
+            // a curve's only third derivative stands first
+            inputs.extend((0..d).map(|c| quote! { third[#k][#c] }));
+        }
+        inputs.extend((0..p).map(|q| quote! { frame.s[#q] }));
+        inputs.extend((0..p).map(|q| quote! { tangential.t[#q] }));
+        for q in 0..p {
+            inputs.extend((0..p).map(|r| quote! { tangential.c[#q][#r] }));
+        }
+        inputs.extend((0..p).map(|q| quote! { tangential.h[#q] }));
+        inputs.push(quote! { slope });
+        if friction.axis == Some(Axis::Slave) {
+            inputs.extend((0..d).map(|k| quote! { slave_tangent[#k] }));
+        }
+        let width = 2 * d + p * d + h;
+        let forms = |start: usize| {
+            let forms = (0..p).map(|q| form(start + q * width, (d, p, h)));
+            quote! { [#(#forms),*] }
+        };
+        let (z, second, g) = (forms(0), forms(p * width), forms(2 * p * width));
+        let cross = (0..p).map(|i| {
+            let index = 3 * p * width + i;
+            quote! { o[#index] }
+        });
+        quote! {
+            #[inline(always)]
+            fn tangential_tangent(
+                (point, x): (usize, &[[f64; #d]]),
+                vectors: &runtime::Vectors<#d, #p, #h>,
+                gap: &runtime::Gap<#d>,
+                frame: &runtime::Frame<#p>,
+                third: &[[f64; #d]; 4],
+                (tangential, slope): (&runtime::Tangential, f64),
+                parameters: &[f64],
+            ) -> runtime::TangentialCoefficients<#d, #p, #h> {
+                #tangent
+                let o = friction::#function(&[#(#inputs),*]);
+                runtime::TangentialCoefficients {
+                    z: #z, p: #second, g: #g, cross: [#(#cross),*],
+                }
+            }
+        }
+    }
+
+    fn higher_method(&self) -> TokenStream {
+        let (d, p, h) = self.sizes();
+        let master_weights = self.parameters.master_weights();
+        let slave_weights = self.parameters.slave_weights();
+        let at = self.parameters.geometry();
+        let weights = |at: usize| quote! { parameters.get(#at..).unwrap_or(&[]) };
+        let (own, of_master, of_slave) =
+            (weights(at), weights(master_weights), weights(slave_weights));
+        let body = match (&self.element.slave, &self.element.master) {
+            (Slave::Projected(slave), Master::Shape(master)) => {
+                let (s, m) = (geometry_path(slave), geometry_path(master));
+                let (ns, nm) = (nodes(slave), nodes(master));
+                quote! {
+                    runtime::curve_to_curve_higher::<#s, #m, #d, #ns, #nm>(
+                        x, zeta, (#of_slave, #of_master), second,
+                    )
+                }
+            }
+            (Slave::Projected(slave), Master::Rigid { geometry, .. }) => {
+                let (s, m, ns) = (geometry_path(slave), geometry_path(geometry), nodes(slave));
+                quote! {
+                    runtime::curve_to_rigid_higher::<#s, #m, #d, #ns>(
+                        x, zeta, (#of_slave, #own), second,
+                    )
+                }
+            }
+            (_, Master::Shape(master)) => {
+                let (m, nm) = (geometry_path(master), nodes(master));
+                quote! {
+                    runtime::onto_shape_higher::<#m, #d, #p, #h, #nm>(x, zeta, #of_master, second)
+                }
+            }
+            (_, Master::Rigid { geometry, .. }) => {
+                let m = geometry_path(geometry);
+                quote! { runtime::onto_rigid_higher::<#m, #d, #p, #h>(zeta, #own) }
+            }
+            (_, Master::Point | Master::Distance { .. }) => quote! { [[0.0; #d]; 4] },
+        };
+        quote! {
+            #[inline(always)]
+            fn higher(
+                x: &[[f64; #d]],
+                zeta: &[f64; #p],
+                parameters: &[f64],
+                second: &mut [&mut [f64]; #h],
+            ) -> [[f64; #d]; 4] {
+                #body
+            }
+        }
+    }
+}
+
+/// A linear form from consecutive outputs.
+fn form(start: usize, (d, p, h): (usize, usize, usize)) -> TokenStream {
+    let run = |start: usize, count: usize| {
+        let entries = (start..start + count).map(|index| quote! { o[#index] });
+        quote! { [#(#entries),*] }
+    };
+    let position = run(start, d);
+    let turning = matrix(start + d, p, d);
+    let bending = run(start + d + p * d, h);
+    let slave = run(start + d + p * d + h, d);
+    quote! {
+        runtime::Form { position: #position, turning: #turning, bending: #bending, slave: #slave }
+    }
+}

@@ -1,0 +1,27 @@
+//! Behaviour of friction with known answers: closed forms, exact constructions, published numbers.
+//!
+//! One file per behaviour; `pair`, `vector` and `linear` are what they share. The numbers that the tests
+//! print with `--nocapture` are those of `docs/verification.md`.
+#![allow(clippy::excessive_precision)] // exact answers, with the digits they were computed with
+
+mod balance;
+mod crossing;
+mod cylinders;
+mod dragging;
+mod edges;
+mod elastic_rope;
+mod exchange;
+mod facets;
+mod history;
+mod incline;
+mod linear;
+mod loops;
+mod orthotropic;
+mod oscillator;
+mod pair;
+mod patch;
+mod rope;
+mod rotation;
+mod seam;
+mod static_kinetic;
+mod vector;

@@ -1,0 +1,299 @@
+//! Friction at a closed contact point ([eq:tangential-residual], [eq:tangential-tangent]).
+//!
+//! `R_T = T_i dζ^i`, `K_T = dT_i ⊗ dζ^i + T_i d²ζ^i`: `dζ` and `d²ζ` are parts of the hyper-dual
+//! projection, `dT_i` the dual part of the traction at the dual projection.
+
+use num_dual::{Dual64, HyperDual64};
+
+use super::point::PointSolution;
+use super::{PointReport, PointStatus};
+use crate::oracle::error::OracleError;
+use crate::oracle::kinematics::{Frame, Nodes};
+use crate::oracle::tangential::return_map::{Loading, Regime, traction, utilisation};
+use crate::oracle::tangential::{Axis, Tangential};
+use crate::oracle::vector::{constant, cross, dot, scale, sub, unit};
+
+/// Status of a point in the accepted state.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Accepted {
+    /// Not in contact: whatever else is remembered is forgotten.
+    Open,
+    /// It stuck.
+    Stick,
+    /// It slipped.
+    Slip,
+}
+
+/// What a contact point remembers of the accepted state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrictionHistory {
+    /// Status.
+    pub status: Accepted,
+    /// ζ_st: parameters of the stick anchor, slave's first.
+    pub anchor: [f64; 2],
+    /// Path slipped so far (length).
+    pub slip: f64,
+}
+
+/// Friction of a closed point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrictionReport {
+    /// Sticks or slips.
+    pub regime: Regime,
+    /// Trial traction over its bound; above one it slips.
+    pub utilisation: f64,
+    /// |s| since the anchor (length).
+    pub distance: f64,
+    /// T_i.
+    pub covariant: [f64; 2],
+    /// t_1, t_2 along the axes.
+    pub components: [f64; 2],
+    /// d_1, d_2; without an axis of the law d_1 is along b_1.
+    pub axes: [[f64; 3]; 2],
+    /// Energy of the spring, `Σ t_q² / (2 e_q)`.
+    pub energy: f64,
+    /// What to remember if this state is accepted.
+    pub history: FrictionHistory,
+}
+
+/// Below this fraction of its length a direction has no part in the tangent plane.
+const NO_AXIS: f64 = 1e-14;
+
+/// Unit axes of the tangent plane; nothing where the direction of the first one vanishes.
+fn axes(
+    frame: &Frame<'_>,
+    nodes: &Nodes<Dual64>,
+    zeta: [Dual64; 2],
+    axis: Option<Axis>,
+) -> Option<[[Dual64; 3]; 2]> {
+    let relative = frame.relative(nodes, zeta);
+    let normal = frame.normal(&relative);
+    let direction = match axis {
+        None => relative.tangents[0],
+        Some(Axis::Convected(w)) => {
+            [0, 1, 2].map(|c| relative.tangents[0][c] * w[0] + relative.tangents[1][c] * w[1])
+        }
+        Some(Axis::SlaveCurve) => frame.slave_tangent(&nodes.slave, 0),
+    };
+    let within = sub(direction, scale(normal, dot(direction, normal)));
+    let (whole, part) = (dot(direction, direction).re, dot(within, within).re);
+    if part.sqrt() <= NO_AXIS * whole.sqrt() {
+        return None;
+    }
+    let first = unit(within);
+    Some([first, cross(normal, first)])
+}
+
+/// The loading of a point with its derivative; nothing without axes.
+fn loading(
+    frame: &Frame<'_>,
+    nodes: &Nodes<Dual64>,
+    zeta: [Dual64; 2],
+    history: &FrictionHistory,
+) -> Option<Loading> {
+    let tangential = frame.pair.tangential.as_ref()?;
+    let relative = frame.relative(nodes, zeta);
+    let mut slip = constant([0.0; 3]);
+    for i in 0..frame.parameters {
+        let moved = zeta[i] - history.anchor[i];
+        for c in 0..3 {
+            slip[c] += relative.tangents[i][c] * moved;
+        }
+    }
+    Some(Loading {
+        slip,
+        axes: axes(frame, nodes, zeta, tangential.axis)?,
+        pressure: -frame.pair.law.force(frame.gap(&relative)),
+        path: history.slip,
+    })
+}
+
+/// What the point goes by: the accepted state, or, where contact begins, an anchor under the point.
+fn remembered(history: Option<&FrictionHistory>, zeta: [f64; 2]) -> FrictionHistory {
+    match history {
+        Some(history) if history.status != Accepted::Open => *history,
+        _ => FrictionHistory {
+            status: Accepted::Stick,
+            anchor: zeta,
+            slip: 0.0,
+        },
+    }
+}
+
+/// Friction of a closed point, without derivatives. A vanishing axis makes the point degenerate.
+pub(super) fn judge(
+    frame: &Frame<'_>,
+    history: Option<&FrictionHistory>,
+    report: &mut PointReport,
+) {
+    let Some(tangential) = &frame.pair.tangential else {
+        return;
+    };
+    if report.status != PointStatus::Closed {
+        return;
+    }
+    let (nodes, zeta) = (
+        Nodes::lifted(&frame.nodes),
+        report.zeta.map(Dual64::from_re),
+    );
+    let history = remembered(history, report.zeta);
+    let Some(loading) = loading(frame, &nodes, zeta, &history) else {
+        report.status = PointStatus::Degenerate;
+        return;
+    };
+    report.friction = Some(describe(frame, tangential, &loading, &history, report.zeta));
+}
+
+fn describe(
+    frame: &Frame<'_>,
+    tangential: &Tangential,
+    loading: &Loading,
+    history: &FrictionHistory,
+    zeta: [f64; 2],
+) -> FrictionReport {
+    let utilisation = utilisation(&tangential.law, loading);
+    let (regime, status) = if utilisation > 1.0 {
+        (Regime::Slip, Accepted::Slip)
+    } else {
+        (Regime::Stick, Accepted::Stick)
+    };
+    let traction = traction(&tangential.law, loading, regime);
+    let tangents = frame.relative(&frame.nodes, zeta).tangents;
+    let plain = |v: [Dual64; 3]| v.map(|c| c.re);
+    let (vector, elastic) = (plain(traction.vector), plain(traction.elastic));
+    let axes = loading.axes.map(plain);
+    let mut next = FrictionHistory { status, ..*history };
+    if regime == Regime::Slip {
+        let held = frame.parameters_of(zeta, elastic);
+        next.anchor = [0, 1].map(|i| zeta[i] - held[i]);
+        let lost = sub(plain(loading.slip), elastic);
+        next.slip += dot(lost, lost).sqrt();
+    }
+    FrictionReport {
+        regime,
+        utilisation,
+        distance: dot(plain(loading.slip), plain(loading.slip)).sqrt(),
+        covariant: tangents.map(|b| dot(vector, b)),
+        components: axes.map(|axis| dot(vector, axis)),
+        axes,
+        energy: traction.energy,
+        history: next,
+    }
+}
+
+/// The traction of a closed point with its derivatives.
+#[derive(Debug)]
+pub(super) struct Friction {
+    /// T_i.
+    covariant: [f64; 2],
+    /// dT_i, one entry per unknown.
+    gradient: Vec<[f64; 2]>,
+    /// The `dζ^i` of the residual, one entry per unknown.
+    carrier: Vec<[f64; 2]>,
+}
+
+impl Friction {
+    /// Nothing for a point without friction.
+    pub(super) fn new(
+        point: &PointSolution<'_>,
+        history: Option<&FrictionHistory>,
+    ) -> Result<Option<Self>, OracleError> {
+        let (Some(tangential), Some(report)) =
+            (&point.frame.pair.tangential, point.report.friction)
+        else {
+            return Ok(None);
+        };
+        let unknowns = point.zeta_gradient.len();
+        let begins = history.is_none_or(|history| history.status == Accepted::Open);
+        let gradient = if begins {
+            vec![[0.0; 2]; unknowns] // the anchor moves with the point
+        } else {
+            let history = remembered(history, point.root.z);
+            gradient(point, tangential, &history, report.regime).ok_or(OracleError::NoProjection)?
+        };
+        let carrier = if tangential.tangent_plane {
+            on_tangent_plane(point)
+        } else {
+            point.zeta_gradient.clone()
+        };
+        Ok(Some(Self {
+            covariant: report.covariant,
+            gradient,
+            carrier,
+        }))
+    }
+
+    /// `T_i dζ^i` along unknown `i`.
+    pub(super) fn first(&self, i: usize) -> f64 {
+        let [t, dz] = [self.covariant, self.carrier[i]];
+        t[0] * dz[0] + t[1] * dz[1]
+    }
+
+    /// The exact `T_k dζ^k` along the first seed of `zeta`, with its derivative along the second;
+    /// `slope` is that of T_k.
+    pub(super) fn along(&self, slope: [f64; 2], zeta: [HyperDual64; 2]) -> Dual64 {
+        let term = |k: usize| {
+            Dual64::new(self.covariant[k], slope[k]) * Dual64::new(zeta[k].eps1, zeta[k].eps1eps2)
+        };
+        term(0) + term(1)
+    }
+
+    /// dT_k along unknown `j`.
+    pub(super) fn slope(&self, j: usize) -> [f64; 2] {
+        self.gradient[j]
+    }
+
+    /// dT_k along a direction.
+    pub(super) fn slope_along(&self, direction: &[f64]) -> [f64; 2] {
+        let mut sum = [0.0; 2];
+        for (slope, d) in self.gradient.iter().zip(direction) {
+            sum[0] += slope[0] * d;
+            sum[1] += slope[1] * d;
+        }
+        sum
+    }
+}
+
+/// dT_i by one dual sweep per unknown.
+fn gradient(
+    point: &PointSolution<'_>,
+    tangential: &Tangential,
+    history: &FrictionHistory,
+    regime: Regime,
+) -> Option<Vec<[f64; 2]>> {
+    let frame = &point.frame;
+    let mut nodes = Nodes::<Dual64>::lifted(&frame.nodes);
+    let mut along = |(i, dz): (usize, &[f64; 2])| {
+        frame.unknown(&mut nodes, i).eps = 1.0;
+        let zeta = [0, 1].map(|k| Dual64::new(point.root.z[k], dz[k]));
+        let traction = traction(
+            &tangential.law,
+            &loading(frame, &nodes, zeta, history)?,
+            regime,
+        );
+        let tangents = frame.relative(&nodes, zeta).tangents;
+        frame.unknown(&mut nodes, i).eps = 0.0;
+        Some(tangents.map(|b| dot(traction.vector, b).eps))
+    };
+    point
+        .zeta_gradient
+        .iter()
+        .enumerate()
+        .map(&mut along)
+        .collect()
+}
+
+/// `-a^ij b_j·dr`: `dζ^i` as if the distance were zero.
+fn on_tangent_plane(point: &PointSolution<'_>) -> Vec<[f64; 2]> {
+    let frame = &point.frame;
+    let mut nodes = Nodes::<Dual64>::lifted(&frame.nodes);
+    let fixed = point.root.z.map(Dual64::from_re);
+    (0..point.zeta_gradient.len())
+        .map(|i| {
+            frame.unknown(&mut nodes, i).eps = 1.0;
+            let moved = frame.relative(&nodes, fixed).position.map(|c| -c.eps);
+            frame.unknown(&mut nodes, i).eps = 0.0;
+            frame.parameters_of(point.root.z, moved)
+        })
+        .collect()
+}

@@ -1,0 +1,145 @@
+//! Sequences of steps of frictional contact: the element goes by its own trial history, the oracle by its own.
+//!
+//! The slave moves along the master, back and forth, deeper and less deep; residual, tangent and every contact
+//! point are compared at each step. A sequence ends where a state is not well conditioned any more.
+
+use serde::Serialize;
+
+use super::random;
+use super::{Finding, Worst, points};
+use crate::configurations::{Configuration, Generator, Stream, Wanted};
+use crate::oracle::solve::{self, Accepted, Evaluation, FrictionHistory, PointReport, PointStatus};
+use crate::subject::{self, Answer, Input, Subject};
+use crate::tolerance::{SEQUENCES, relative_error};
+
+/// Sequences tried, and steps of each.
+const SEQUENCES_TRIED: u64 = 25;
+const STEPS: usize = 8;
+/// Longest step along the master and along the normal, in sizes.
+const STRIDE: f64 = 0.04;
+const LIFT: f64 = 0.01;
+
+/// What was found for one element.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Sequences {
+    /// Residual, tangent or contact points.
+    pub worst: Worst,
+    /// Steps tried and failed.
+    pub finding: Finding,
+}
+
+/// Tries an element with friction.
+pub fn prove(subject: &Subject, seed: u64) -> Sequences {
+    let mut result = Sequences::default();
+    let generator = random::generator(subject, seed);
+    for index in 0..SEQUENCES_TRIED {
+        match generator.generate(Wanted::Stick, index) {
+            Ok(configuration) => sequence(&mut result, subject, configuration, index),
+            Err(error) => result.finding.fail(format!("sequence {index}: {error}")),
+        }
+    }
+    let least = SEQUENCES_TRIED * 2;
+    if result.finding.tried < least {
+        let tried = result.finding.tried;
+        result
+            .finding
+            .fail(format!("only {tried} steps could be made"));
+    }
+    result
+}
+
+fn sequence(
+    result: &mut Sequences,
+    subject: &Subject,
+    mut configuration: Configuration,
+    index: u64,
+) {
+    let mut stream = Stream::new(index, 0, 66);
+    let parameters = subject.parameters(&configuration.pair);
+    let row = subject.slave_row(&configuration.pair);
+    let mut history = subject.history_of(&configuration);
+    for step in 0..STEPS {
+        let answer = subject.call(
+            &Input {
+                reference: &configuration.reference,
+                displacement: &configuration.displacement,
+                parameters: &parameters,
+                history: &history,
+                slave_row: &row,
+            },
+            subject::Wanted::BOTH,
+        );
+        let Ok(truth) = solve::evaluate(&configuration.pair, &configuration.state()) else {
+            return;
+        };
+        configuration.points.clone_from(&truth.points);
+        if !Generator::is_sound(&configuration) {
+            return;
+        }
+        let what = format!("sequence {index}, step {step}");
+        match compare(subject, &configuration, &answer, &truth) {
+            Ok(error) => {
+                result.worst.absorb(error, index);
+                result.finding.compare(&what, error, SEQUENCES);
+            }
+            Err(wrong) => return result.finding.fail(format!("{what}: {wrong}")),
+        }
+        history.clone_from(&answer.history);
+        accept(&mut configuration, &truth.points);
+        advance(&mut configuration, &mut stream);
+    }
+}
+
+fn compare(
+    subject: &Subject,
+    configuration: &Configuration,
+    answer: &Answer,
+    truth: &Evaluation,
+) -> Result<f64, String> {
+    let points = points::error(subject, configuration, &truth.points, answer)?;
+    let residual = relative_error(&answer.residual, &truth.residual);
+    let tangent = random::tangent_error(subject, answer, truth, &[]);
+    Ok(points.max(residual).max(tangent))
+}
+
+/// The oracle's own history of the step that was made.
+fn accept(configuration: &mut Configuration, points: &[PointReport]) {
+    let history = |point: &PointReport| match point.friction {
+        Some(friction) => friction.history,
+        None => FrictionHistory {
+            status: Accepted::Open,
+            anchor: [0.0; 2],
+            slip: 0.0,
+        },
+    };
+    configuration.friction = points.iter().map(history).collect();
+    configuration.start = points.iter().map(|point| point.zeta).collect();
+}
+
+/// Moves the slave along the tangent plane of a closed point, and a little along its normal.
+fn advance(configuration: &mut Configuration, stream: &mut Stream) {
+    let closed = |point: &&PointReport| point.status == PointStatus::Closed;
+    let Some(point) = configuration.points.iter().find(closed).copied() else {
+        return;
+    };
+    let Some(friction) = point.friction else {
+        return;
+    };
+    let size = configuration.size;
+    let along = [0; 2].map(|_| size * STRIDE * stream.uniform(-1.0, 1.0));
+    let away = size * LIFT * stream.uniform(-1.0, 1.0);
+    let pair = &configuration.pair;
+    let [first, second] = friction.axes;
+    // the second axis of a single parameter lies across the master: a foot there is none
+    let across = if pair.parameters() == 2 {
+        along[1]
+    } else {
+        0.0
+    };
+    for node in (0..pair.slave_nodes()).filter(|&node| pair.slave_is_position(node)) {
+        for k in 0..pair.dimension {
+            configuration.displacement[pair.dimension * node + k] +=
+                along[0] * first[k] + across * second[k] + away * point.normal[k];
+        }
+    }
+}

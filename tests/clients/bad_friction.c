@@ -286,7 +286,8 @@ static void transfer_elements(void)
 static void transfer_planes(void)
 {
   const char *const facet = "PointQuad4Coulomb";
-  double *const tangents = &b.out.output[CTE_OUTPUT_TANGENTS], *const new_tangents = &next.out.output[CTE_OUTPUT_TANGENTS];
+  double *const tangents = &b.out.output[CTE_OUTPUT_TANGENTS];
+  double *const new_tangents = &next.out.output[CTE_OUTPUT_TANGENTS];
   sound(facet, facet);
   memset(tangents, 0, 3 * sizeof tangents[0]);
   client_check(refused(CTE_CUT_BACK, CTE_ARGUMENT_FROM_OUTPUT), "transfer: a tangent of length zero");

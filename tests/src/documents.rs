@@ -94,13 +94,13 @@ fn definitions(pages: &[Text]) -> BTreeMap<String, Vec<String>> {
     found
 }
 
-/// Arguments of `.term(` and `.left_out(` in the linearisations; where the argument is a variable, the
+/// Arguments of `.term(`, `.terms(` and `.left_out(` in the linearisations; where the argument is a variable, the
 /// literals of that file that look like tags.
 pub fn term_tags(sources: &[Text]) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     for source in sources {
         let mut by_variable = false;
-        for call in [".term(", ".left_out("] {
+        for call in [".term(", ".terms(", ".left_out("] {
             for (at, _) in source.content.match_indices(call) {
                 let argument = source.content[at + call.len()..].trim_start();
                 match argument.strip_prefix('"') {

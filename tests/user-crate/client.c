@@ -23,7 +23,7 @@ typedef struct contact {
   double workspace[1 << 14];
 } contact;
 
-static contact contacts[5];
+static contact contacts[6];
 static int count, failures;
 
 static void check(int pass, const contact *c, const char *what)
@@ -149,6 +149,23 @@ static void declare(void)
   }
   c->row[3] = 0.7; /* weight */
   shake(c, 0.01);
+
+  c = open(RAIL_POINT_QUAD8_WORN, "PointQuad8Worn", rail_point_quad8_worn, 0);
+  softened(c);
+  set(c, "k", 40.0);
+  set(c, "m", 0.4);
+  set(c, "q", 5.0);
+  set(c, "d", 0.1);
+  set(c, "orientation", 1.0);
+  c->x[0] = 0.2;
+  c->x[1] = -0.3;
+  facet(c, 1, 1, 1.0, 0.0, 0.05);
+  shake(c, 0.02);
+}
+
+static int has_friction(const contact *c)
+{
+  return c->info.history > c->info.points * (1 + c->info.projected);
 }
 
 static int32_t evaluate(contact *c, uint32_t request)
@@ -181,7 +198,33 @@ static double tangent_error(contact *c)
   return largest > 0.0 ? difference / largest : HUGE_VAL;
 }
 
-/* The slave nodes feel the sum of N n dA over the contact points; with the master nodes, nothing is left. */
+/* Contact with friction begins, is accepted, and slides. */
+static void slide(contact *c)
+{
+  c->a.hist_new = c->history;
+  check(evaluate(c, CTE_HISTORY) == CTE_SUCCESS && c->a.status == CTE_STATUS_STICK, c, "begins");
+  c->u[0] += 0.3;
+}
+
+/* Its history, taken to the same element at the same place, is the same history. */
+static void carry(contact *c)
+{
+  double old[HISTORY], new[HISTORY], output[CTE_OUTPUT_SIZE];
+  const int n = c->info.history;
+  c->a.hist_new = old;
+  memcpy(output, c->output, sizeof output);
+  int pass = evaluate(c, CTE_HISTORY) == CTE_SUCCESS;
+  memcpy(new, old, sizeof new);
+  new[1 + c->info.projected] += 0.1;
+  new[n - 1] = 0.0;
+  pass = pass && rail_history_transfer(c->element, output, old, c->element, output, new, NULL) == CTE_SUCCESS;
+  for (int i = 0; i < n; i++)
+    pass = pass && fabs(new[i] - old[i]) < 1e-14;
+  check(pass, c, "history carried");
+}
+
+/* The slave nodes feel the sum of N n dA over the contact points (and friction); with the master nodes, nothing is
+ * left. */
 static int balanced(const contact *c)
 {
   const int slaves = c->a.nslave > 0 ? c->a.nslave : c->info.slave_nodes;
@@ -199,7 +242,7 @@ static int balanced(const contact *c)
     }
     for (int j = 0; j < c->info.unknowns; j++)
       largest = fmax(largest, fabs(c->f[j]));
-    pass = pass && fabs(slave - expected) <= 1e-12 * largest;
+    pass = pass && (has_friction(c) || fabs(slave - expected) <= 1e-12 * largest);
     pass = pass && fabs(nodes > slaves ? all : 0.0) <= 1e-12 * largest;
   }
   return pass;
@@ -211,13 +254,17 @@ static void examine(contact *c)
   char text[256];
   check(rail_element_check_parameters(c->element, c->parameters, c->info.parameters, &index) == CTE_SUCCESS, c,
         "parameters");
+  if (has_friction(c))
+    slide(c);
   const int32_t code = evaluate(c, CTE_RESIDUAL | CTE_TANGENT | CTE_OUTPUT | CTE_ENERGY);
   rail_element_message(c->element, &c->a, code, text, sizeof text);
   check(code == CTE_SUCCESS, c, code == CTE_SUCCESS ? "evaluated" : text);
-  check(c->a.status == CTE_STATUS_CLOSED && c->a.closed_points == c->info.points, c,
-        rail_status_message(c->a.status));
+  check(c->a.status == (has_friction(c) ? CTE_STATUS_SLIP : CTE_STATUS_CLOSED) && c->a.closed_points == c->info.points,
+        c, rail_status_message(c->a.status));
   check(c->energy > 0.0, c, "energy");
   check(balanced(c), c, "balance of force");
+  if (has_friction(c))
+    carry(c);
   const double error = tangent_error(c);
   check(error <= 1e-6, c, "K = df/du");
   printf("     %d points closed, tangent error %.1e\n", (int)c->a.closed_points, error);

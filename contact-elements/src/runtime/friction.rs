@@ -119,6 +119,7 @@ pub fn return_map<L: TangentialLaw>(
             let slide = L::slide(s, &friction, gamma);
             Ok((Status::Slip, stored(slide, e)))
         }
+        None if beyond => Err(Status::NotConverged),
         _ => Ok((Status::Stick, stored(stick, e))),
     }
 }

@@ -17,7 +17,7 @@ use crate::oracle::vector::{add, constant, dot, scale};
 
 /// Least slip of a point that slips, in sizes: the direction of shorter ones has too few digits
 /// for the tangent.
-const LEAST_SLIP: f64 = 1e-2;
+const LEAST_SLIP: f64 = 2e-2;
 /// Least distance of the utilisation from one: both sides must agree on the status.
 const LEAST_MARGIN: f64 = 2e-10;
 
@@ -80,13 +80,13 @@ fn bounded(configuration: &Configuration) -> bool {
     law.is_some_and(|tangential| tangential.law.is_bounded())
 }
 
-/// Numbers of a law that lets points of this pressure slip after 1e-2 to 0.1 sizes.
+/// Numbers of a law that lets points of this pressure slip after 2e-2 to 0.1 sizes.
 fn draw(tangential: &mut Tangential, pressure: f64, size: f64, stream: &mut Stream) {
     if let Some(Axis::Convected(w)) = &mut tangential.axis {
         let [x, y, _] = stream.direction();
         *w = [2.0 * x, 2.0 * y];
     }
-    let reach = |stream: &mut Stream| size * stream.log_uniform(1e-2, 0.1);
+    let reach = |stream: &mut Stream| size * stream.log_uniform(2e-2, 0.1);
     let factor = |stream: &mut Stream| stream.log_uniform(0.05, 1.0);
     match &mut tangential.law {
         TangentialLaw::Stick { eps_t } => *eps_t = factor(stream) * pressure / reach(stream),

@@ -60,6 +60,9 @@ pub(super) fn error(
         let Some(status) = status(expected) else {
             continue;
         };
+        if are_unloaded(status, found, history) {
+            continue;
+        }
         if [found[0], history[0]] != [f64::from(status as i32); 2] {
             return Err(format!(
                 "point {number}: status {} and {} instead of {status:?}",
@@ -83,6 +86,22 @@ pub(super) fn error(
         }
     }
     Ok(worst)
+}
+
+/// Open here and outside there, or the other way round, and no traction: from the same start Newton's method and
+/// the oracle's damped one may find different feet of a point that carries nothing.
+fn are_unloaded(expected: Status, found: &[f64], history: &[f64]) -> bool {
+    let unloaded = [Status::Open, Status::Outside];
+    let is = |value: f64| {
+        unloaded
+            .iter()
+            .any(|status| value == f64::from(*status as i32))
+    };
+    unloaded.contains(&expected)
+        && found[0] != f64::from(expected as i32)
+        && is(found[0])
+        && history[0] == found[0]
+        && [TRACTION, WEIGHT].iter().all(|&entry| found[entry] == 0.0)
 }
 
 /// Tractions, relative to the largest of the element, and weight; all zero where the point is not closed.

@@ -35,8 +35,8 @@ pub fn friction_program(law: &TangentialLaw) -> Program {
     let (by_pressure, by_slip) = (by(&mut program, 0), by(&mut program, 1));
     let none = "the bound does not depend on it";
     for (name, tag, values) in [
-        ("stiffness", "trial", stiffness),
-        ("bound", "bound", bound),
+        ("stiffness", "trial-stiffness", stiffness),
+        ("bound", "bound-value", bound),
         ("by_pressure", "bound-by-pressure", by_pressure),
         ("by_slip", "bound-by-slip", by_slip),
     ] {

@@ -409,7 +409,7 @@ fn slave_turn(program: &mut Program, contact: &Contact, tangent: &Vector, z: &[F
     form
 }
 
-/// C_qr (Z_r + M_rk s_k) + t_r M_rq [eq:slip-change] [eq:traction-change]
+/// C_qr (Z_r + M_rk s_k) + t_r M_rq [eq:slip-change] [eq:slip-metric] [eq:traction-metric]
 fn elastic(
     program: &mut Program,
     contact: &Contact,

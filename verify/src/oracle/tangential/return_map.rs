@@ -4,6 +4,9 @@
 //! `t = e s`, shortened to the bound. Two stiffnesses: components along the axes, returned to the
 //! ellipse in the norm of the energy ([eq:ellipse]).
 
+// [eq:…] names an equation of docs/, not an item; the documentation tests follow it
+#![allow(rustdoc::broken_intra_doc_links)]
+
 use num_dual::{Dual64, DualNum};
 
 use super::TangentialLaw;

@@ -15,6 +15,7 @@
 //! | `frame` | orthonormal frame and slip | [eq:frame] [eq:slip] |
 //! | `sliding` | stiffness, bound, return to the bound | [eq:trial] [eq:return-map] [eq:ellipse] |
 //! | `tangential` | residual and tangent of tangential contact | [eq:tangential-residual] [eq:tangential-tangent] |
+//! | `contact` | the contact point and its slip in that frame, for `tangential` | [eq:F] |
 //! | `row` | linear forms that `tangential` is written in | none |
 //! | `measure` | Jacobian of the slave and its variation | [eq:measure] |
 //! | `divisors` | what another program divides by | none |
@@ -23,6 +24,7 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod basis;
+mod contact;
 pub mod distance;
 pub mod divisors;
 pub mod frame;

@@ -59,6 +59,7 @@ module contact_elements
   ! Kinds of unknowns
   integer(i4), parameter :: CTE_UNKNOWN_UX = 1, CTE_UNKNOWN_UY = 2, CTE_UNKNOWN_UZ = 3
   integer(i4), parameter :: CTE_UNKNOWN_TX = 4, CTE_UNKNOWN_TY = 5, CTE_UNKNOWN_TZ = 6
+  integer(i4), parameter :: CTE_UNKNOWN_MULTIPLIER = 7
 
   ! Output of one contact point, entries from 0: output(entry, point) needs output(0:CTE_OUTPUT_SIZE-1, *)
   integer(i4), parameter :: CTE_OUTPUT_STATUS = 0, CTE_OUTPUT_GAP = 1, CTE_OUTPUT_NORMAL_TRACTION = 2
@@ -192,6 +193,7 @@ module contact_elements
     type(c_funptr) :: argument_name = c_null_funptr
     type(c_funptr) :: element_message = c_null_funptr
     type(c_funptr) :: history_transfer = c_null_funptr
+    type(c_funptr) :: history_augment = c_null_funptr
   end type cte_api_table
 
   interface
@@ -275,6 +277,15 @@ module contact_elements
       integer(i4), intent(inout) :: argument
       integer(i4) :: code
     end function cte_history_transfer
+
+    function cte_history_augment(element, trial, accepted, argument) bind(c, name='cte_history_augment') result(code)
+      import :: i4, dp, c_ptr
+      type(c_ptr), value :: element
+      real(dp), intent(in) :: trial(*)
+      real(dp), intent(inout) :: accepted(*)
+      integer(i4), intent(inout) :: argument
+      integer(i4) :: code
+    end function cte_history_augment
 
     function cte_element_evaluate(element, arguments) bind(c, name='cte_element_evaluate') result(code)
       import :: i4, c_ptr, cte_arguments
@@ -379,6 +390,15 @@ module contact_elements
       real(dp), intent(inout) :: to_history(*)
       integer(i4), intent(inout) :: argument, code
     end subroutine cte_f77_history_transfer
+
+    subroutine cte_f77_history_augment(element, trial, accepted, argument, code) &
+        bind(c, name='cte_f77_history_augment_')
+      import :: i4, dp
+      integer(i4), intent(in) :: element
+      real(dp), intent(in) :: trial(*)
+      real(dp), intent(inout) :: accepted(*)
+      integer(i4), intent(inout) :: argument, code
+    end subroutine cte_f77_history_augment
   end interface
 
 contains

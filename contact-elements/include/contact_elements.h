@@ -61,8 +61,10 @@ extern "C" {
 #define CTE_ERROR_VERSION (-10)    /* the library's major version is another */
 #define CTE_ERROR_STRIDE (-11)     /* strides are negative, let entries overlap or exceed any memory */
 #define CTE_ERROR_HISTORY (-12)    /* an entry that no evaluation writes: no status, an anchor far outside, a
-                                    * negative slip path; cte_history_transfer: or not that of the output */
-#define CTE_ERROR_ELEMENT (-13)    /* cte_history_transfer: no tangential law, or another dimension */
+                                    * negative slip path, a positive multiplier; cte_history_transfer: or not
+                                    * that of the output */
+#define CTE_ERROR_ELEMENT (-13)    /* cte_history_transfer: nothing to carry, or another kind of element;
+                                    * cte_history_augment: no multiplier in the history */
 
 /* ------------------------------------------------------------------ arguments named by errors
  * error_index: the node for X and U (as counted in the call); the parameter for PARAMETERS; the bit number
@@ -118,7 +120,7 @@ extern "C" {
  * The element's status is the one of its worst point, in the order
  * open < outside < closed, stick < slip < the failures. Elements with a tangential law report STICK and
  * SLIP, never CLOSED; the others CLOSED. */
-#define CTE_STATUS_OPEN 0           /* no contact: f, k and energy are zero */
+#define CTE_STATUS_OPEN 0           /* no contact: f, k and energy are zero, but for an unknown multiplier */
 #define CTE_STATUS_CLOSED 1         /* in contact, without friction */
 #define CTE_STATUS_STICK 2          /* in contact, held by its anchor */
 #define CTE_STATUS_SLIP 3           /* in contact, sliding: the tangential force is at its bound */
@@ -138,6 +140,8 @@ extern "C" {
 #define CTE_UNKNOWN_TX 4      /* change of a tangent vector of a Hermite curve, d rho / d xi, x [length] */
 #define CTE_UNKNOWN_TY 5
 #define CTE_UNKNOWN_TZ 6
+#define CTE_UNKNOWN_MULTIPLIER 7 /* multiplier of a contact point [as N]: the only unknown of its node, in u the
+                                  * first component of the node; x of that node is not looked at */
 
 /* ------------------------------------------------------------------ output of one contact point
  * With CTE_OUTPUT, output[point * CTE_OUTPUT_SIZE + entry]: */
@@ -171,6 +175,7 @@ extern "C" {
  * cte_info.history = points * entries per point. P projected parameters:
  *   without friction  1 + P    status, projection
  *   with friction     2 + 2 P  status, projection [P], anchor [P], slip path [length]
+ *   augmented         one more at the end: the multiplier [as N], never positive
  * hist_old is the accepted state: the last converged step. hist_new is a trial; no evaluation reads it. When the
  * step is accepted the host copies hist_new over hist_old, all of it; when it is cut back the host drops hist_new.
  *
@@ -185,9 +190,18 @@ extern "C" {
  * so a line search has to look at f. A step that reverses the slip begins at the bound, where rounding decides
  * between stick and slip: a first iteration with CTE_FREEZE_STATE and STICK in the place of SLIP in a copy of
  * hist_old takes the elastic tangent. When the projection passes to a neighbouring element:
- * cte_history_transfer. */
+ * cte_history_transfer.
+ *
+ * Multipliers, c = N' of the law, a linear spring. The point is closed where N = multiplier + c g < 0, and this N
+ * is the traction everywhere (output, bound of friction, energy).
+ *   augmented   the multiplier of hist_old is fixed during an evaluation; hist_new holds N (0 where open). Uzawa's
+ *               iteration: solve, cte_history_augment, solve again ... until the gaps are small, then accept. A
+ *               host that only accepts makes one iteration per step.
+ *   unknown     one node per contact point behind all others, with one unknown. Its residual is weight * g where
+ *               closed, -weight * multiplier / c where open or outside: continuous at the switch. K has zeros on
+ *               the diagonal there: a solver for indefinite matrices. */
 #define CTE_HISTORY_STATUS 0     /* CTE_STATUS_* as a number */
-#define CTE_HISTORY_PROJECTION 1 /* P entries; then, with friction, P entries of the anchor and the slip path */
+#define CTE_HISTORY_PROJECTION 1 /* P entries; with friction P of the anchor and the slip path; a multiplier */
 
 typedef struct cte_element cte_element; /* opaque, immutable, static */
 
@@ -198,7 +212,7 @@ typedef struct cte_info {
   int32_t nodes_minimum;     /* nodes in a call; maximum 0: no limit (interpolated slaves) */
   int32_t nodes_maximum;
   int32_t slave_nodes;       /* 0: given in the call as nslave */
-  int32_t master_nodes;      /* 0: rigid master */
+  int32_t master_nodes;      /* 0: rigid master; the nodes left over are those of multipliers */
   int32_t unknowns;          /* for the nnode asked about */
   int32_t parameters;        /* number of parameters */
   int32_t history;           /* doubles of history */
@@ -347,19 +361,30 @@ int32_t cte_element_history_init(const cte_element *element, double *history);
  *   from_history  its accepted history, from_output the output of that state ([CTE_OUTPUT_SIZE])
  *   to_history    in: from an evaluation of `to` at the same displacements with the history of
  *                 cte_element_history_init; to_output is of the same call. Beyond the edge of `to` (status
- *                 outside) is fine. out: status, anchor and slip path are those of from_history, as `to` counts them.
+ *                 outside) is fine. out: status, anchor, slip path and multiplier are those of from_history, as `to`
+ *                 counts them.
  * The slip s of from_history is turned from the tangent plane of `from` into that of `to` by the smallest rotation
  * between the normals, which keeps its length; the anchor is the projection minus the parameters of s. Then
  * to_history is the accepted history of the point on `to`. With the same tangential law and parameters on both
  * elements the force keeps its length, and on coplanar elements its direction. Convected axes are those of
  * each element. Where from_history is not in contact nothing is to be carried: 0, to_history stays.
- * argument (may be null): CTE_ARGUMENT_FROM .. TO_HISTORY, or NONE with 0. CTE_ERROR_NULL; CTE_ERROR_ELEMENT: no
- * tangential law, or dimension or number of projected parameters differ; CTE_ERROR_NOT_FINITE;
+ * argument (may be null): CTE_ARGUMENT_FROM .. TO_HISTORY, or NONE with 0. CTE_ERROR_NULL; CTE_ERROR_ELEMENT:
+ * neither tangential law nor augmented, or the kinds, dimensions or numbers of projected parameters differ; CTE_ERROR_NOT_FINITE;
  * CTE_ERROR_HISTORY: no history, or projection in history and output differ; CTE_CUT_BACK: tangents or normal
  * span no plane, normals opposite, a slip across the curve. On anything but 0 to_history is as it was: contact on
  * `to` begins anew. */
 int32_t cte_history_transfer(const cte_element *from, const double *from_output, const double *from_history,
                              const cte_element *to, const double *to_output, double *to_history, int32_t *argument);
+
+/* One step of Uzawa's iteration, all contact points of an element:
+ *   trial     hist_new of the converged evaluation with hist_old = accepted
+ *   accepted  in: the state at the start of the step; out: with the multipliers of trial and, where the point was and
+ *             is in contact with friction, the anchor from which the tangential force of trial is there at no slip
+ *             in this step. Status, projection and slip path stay those of the start of the step.
+ * Then solve the step again with accepted as hist_old. argument (may be null): CTE_ARGUMENT_ELEMENT, HISTORY_NEW
+ * (trial), HISTORY_OLD (accepted), or NONE with 0. CTE_ERROR_NULL, CTE_ERROR_NOT_FINITE, CTE_ERROR_HISTORY,
+ * CTE_ERROR_ELEMENT: the history has no multiplier. On anything but 0 accepted is as it was. */
+int32_t cte_history_augment(const cte_element *element, const double *trial, double *accepted, int32_t *argument);
 
 /* Evaluates one element. The scalars at the end of *arguments (dt_ratio .. error_index) are written always
  * but when arguments is null or its struct_size too small; a null element is CTE_ARGUMENT_ELEMENT. */
@@ -416,6 +441,7 @@ typedef struct cte_api_table {
   int32_t (*element_message)(const cte_element *, const cte_arguments *, int32_t, char *, int32_t);
   int32_t (*history_transfer)(const cte_element *, const double *, const double *, const cte_element *, const double *,
                               double *, int32_t *);
+  int32_t (*history_augment)(const cte_element *, const double *, double *, int32_t *);
 } cte_api_table;
 
 /* Fills *table. major: CTE_VERSION_MAJOR of this header. CTE_ERROR_VERSION when the library's differs. */
@@ -438,6 +464,7 @@ int32_t cte_api(uint32_t major, cte_api_table *table);
  *   CALL CTE_F77_HISTORY_INIT(ELEMENT, HISTORY, CODE)
  *   CALL CTE_F77_HISTORY_TRANSFER(FROM, FOUT, FHIST, TO, TOUT, THIST, ARGUM, CODE)  cte_history_transfer;
  *                                              CODE is CTE_ERROR_INDEX for an index that no element has
+ *   CALL CTE_F77_HISTORY_AUGMENT(ELEMENT, TRIAL, HIST, ARGUM, CODE)  cte_history_augment; CODE as above
  */
 void cte_f77_evaluate_(const int32_t *element, const int32_t *request, const int32_t *nnode, const int32_t *nslave,
                        const double *x, const double *u, const double *parameters, const int32_t *parameter_count,
@@ -448,6 +475,8 @@ void cte_f77_history_init_(const int32_t *element, double *history, int32_t *cod
 void cte_f77_history_transfer_(const int32_t *from, const double *from_output, const double *from_history,
                                const int32_t *to, const double *to_output, double *to_history, int32_t *argument,
                                int32_t *code);
+void cte_f77_history_augment_(const int32_t *element, const double *trial, double *accepted, int32_t *argument,
+                              int32_t *code);
 
 /* Element symbols: one per element, int32_t NAME(cte_arguments *), see contact_elements_symbols.h. */
 

@@ -6,5 +6,6 @@ void bad_calls(void);   /* lookup, description, history, messages, table, Fortra
 void bad_states(void);  /* states without a normal or an area, sizes beyond any memory */
 void bad_batches(void); /* batches and their scatter map */
 void bad_friction(void); /* frictional elements and the transfer of their history */
+void bad_multipliers(void); /* elements with multipliers, unknown or of the history */
 
 #endif

@@ -310,7 +310,7 @@ static void scales(void)
     }
 }
 
-/* Every element: all nodes in one place, random nodes of every size, a NaN in every coordinate. */
+/* Every element: all nodes in one place, random nodes and multipliers of every size, a NaN in every unknown. */
 static void every_element(void)
 {
   static const double scale[] = {0.0, 1e-300, 1e-160, 1e-30, 1e-12, 1.0, 1e12, 1e29};
@@ -318,16 +318,21 @@ static void every_element(void)
     int pass = bench_index(&b, index, 2) && clean();
     for (int i = 0; i < 8 && pass; i++)
       for (int shift = 0; shift < 2; shift++) {
-        for (int j = 0; j < b.info.unknowns; j++)
-          b.x[j] = scale[i] * (client_random() - 0.5 * shift) + (i == 0 ? 1.0 : 0.0);
+        for (int j = 0; j < b.info.unknowns; j++) {
+          const double value = scale[i] * (client_random() - 0.5 * shift);
+          if (bench_is_multiplier(&b, j))
+            b.u[bench_position(&b, j)] = -value;
+          else
+            b.x[j] = value + (i == 0 ? 1.0 : 0.0);
+        }
         pass &= clean();
       }
     for (int j = 0; j < b.info.unknowns && pass; j++) {
-      client_special(j % CLIENT_SPECIALS, &b.u[j]);
+      client_special(j % CLIENT_SPECIALS, &b.u[bench_position(&b, j)]);
       bench_canary(&b);
       pass = bench_evaluate(&b) == CTE_ERROR_NOT_FINITE && b.a.error_argument == CTE_ARGUMENT_U &&
              bench_untouched(&b);
-      b.u[j] = 0.0;
+      b.u[bench_position(&b, j)] = 0.0;
     }
     client_check(pass, b.info.name != NULL ? b.info.name : "an element");
   }
@@ -352,6 +357,7 @@ int main(void)
   bad_batches();
   bad_states();
   bad_friction();
+  bad_multipliers();
   printf("%s bad_input, %d failures\n", client_failures ? "FAIL" : "PASS", client_failures);
   return client_failures ? 1 : 0;
 }

@@ -13,6 +13,7 @@ program bad_input
   use bad_batches, only: bad_batches_run
   use bad_states, only: bad_states_run
   use bad_friction, only: bad_friction_run
+  use bad_multipliers, only: bad_multipliers_run
   implicit none
   type(bench), save, target :: b
   call null_pointers()
@@ -30,6 +31,7 @@ program bad_input
   call bad_batches_run()
   call bad_states_run()
   call bad_friction_run()
+  call bad_multipliers_run()
   print '(2a,i0,a)', merge('PASS', 'FAIL', client_failures == 0), ' bad_input, ', client_failures, ' failures'
   if (client_failures /= 0) stop 1
 
@@ -340,9 +342,10 @@ contains
     end do
   end subroutine scales
 
-  ! Every element: all nodes in one place, random nodes of every size, a NaN in every coordinate.
+  ! Every element: all nodes in one place, random nodes and multipliers of every size, a NaN in every unknown.
   subroutine every_element()
     real(dp), parameter :: scale(8) = [0.0_dp, 1e-300_dp, 1e-160_dp, 1e-30_dp, 1e-12_dp, 1.0_dp, 1e12_dp, 1e29_dp]
+    real(dp) :: value
     integer(i4) :: e
     integer :: i, j, shift
     logical :: pass
@@ -352,18 +355,23 @@ contains
       do i = 1, 8
         do shift = 0, 1
           do j = 1, b%info%unknowns
-            call client_random(b%x(j))
-            b%x(j) = scale(i)*(b%x(j) - 0.5_dp*shift) + merge(1.0_dp, 0.0_dp, i == 1)
+            call client_random(value)
+            value = scale(i)*(value - 0.5_dp*shift)
+            if (bench_is_multiplier(b, j)) then
+              b%u(bench_position(b, j)) = -value
+            else
+              b%x(j) = value + merge(1.0_dp, 0.0_dp, i == 1)
+            end if
           end do
           if (pass) pass = clean()
         end do
       end do
       do j = 1, b%info%unknowns
-        call client_special(mod(j - 1, client_specials) + 1, b%u(j))
+        call client_special(mod(j - 1, client_specials) + 1, b%u(bench_position(b, j)))
         call bench_canary(b)
         if (pass) pass = bench_evaluate(b) == CTE_ERROR_NOT_FINITE
         pass = pass .and. b%a%error_argument == CTE_ARGUMENT_U .and. bench_untouched(b)
-        b%u(j) = 0
+        b%u(bench_position(b, j)) = 0
       end do
       call client_check(pass, cte_string(b%info%name))
     end do

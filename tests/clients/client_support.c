@@ -96,7 +96,7 @@ static void fill_arguments(bench *b, int32_t nslave)
   a->struct_size = sizeof *a;
   a->request = b->info.requests & (CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY | CTE_OUTPUT | CTE_ENERGY);
   a->nslave = nslave;
-  a->nnode = nslave > 0 ? nslave + b->info.master_nodes : 0;
+  a->nnode = nslave > 0 ? nslave + b->info.nodes_minimum - 1 : 0;
   a->x = b->x;
   a->u = b->u;
   a->parameters = b->parameters;
@@ -121,7 +121,7 @@ int bench_index(bench *b, int32_t index, int32_t nslave)
     return 0;
   if (b->info.slave_nodes != 0)
     nslave = 0;
-  else if (cte_element_info(b->element, nslave + b->info.master_nodes, &b->info) != CTE_SUCCESS)
+  else if (cte_element_info(b->element, nslave + b->info.nodes_minimum - 1, &b->info) != CTE_SUCCESS)
     return 0;
   if (b->info.unknowns > ROOM_UNKNOWNS || b->info.parameters > ROOM_PARAMETERS ||
       b->info.history > ROOM_HISTORY || b->info.points > ROOM_POINTS || b->info.workspace > ROOM_WORKSPACE)
@@ -132,6 +132,23 @@ int bench_index(bench *b, int32_t index, int32_t nslave)
   b->row[nslave] = 1.0;
   fill_arguments(b, nslave);
   return 1;
+}
+
+int bench_multipliers(const bench *b)
+{
+  const int slaves = b->info.slave_nodes > 0 ? b->info.slave_nodes : 1;
+  return b->info.nodes_minimum - slaves - b->info.master_nodes;
+}
+
+int bench_is_multiplier(const bench *b, int unknown)
+{
+  return unknown >= b->info.unknowns - bench_multipliers(b);
+}
+
+int bench_position(const bench *b, int unknown)
+{
+  const int first = b->info.unknowns - bench_multipliers(b);
+  return bench_is_multiplier(b, unknown) ? first + (unknown - first) * b->info.dimension : unknown;
 }
 
 int bench_parameter(const bench *b, const char *name)

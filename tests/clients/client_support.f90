@@ -10,12 +10,14 @@ module client_support
   implicit none
   private
   public :: bench, bench_outputs, bench_index, bench_open, bench_parameter, bench_set, bench_canary
+  public :: bench_multipliers, bench_position, bench_is_multiplier
   public :: bench_untouched, bench_evaluate, client_check, client_text, client_random, client_special
   public :: client_same, client_near, client_contains, client_message, canary, dp, i4, i8
 
   integer, parameter :: dp = c_double, i4 = c_int32_t, i8 = c_int64_t
   integer, parameter, public :: room_nodes = 64, room_unknowns = 3*room_nodes, room_parameters = 64
-  integer, parameter, public :: room_points = 64, room_history = 6*room_points, room_workspace = 2**18
+  integer, parameter, public :: room_points = 64, room_workspace = 2**18
+  integer, parameter, public :: room_history = 8*room_points ! with friction and a multiplier 3 + 2*2 per point
 
   ! Failures so far, of all checks.
   integer, public :: client_failures = 0
@@ -165,7 +167,7 @@ contains
     b%a%struct_size = int(c_sizeof(b%a), i4)
     b%a%request = iand(b%info%requests, CTE_RESIDUAL + CTE_TANGENT + CTE_HISTORY + CTE_OUTPUT + CTE_ENERGY)
     b%a%nslave = nslave
-    b%a%nnode = merge(nslave + b%info%master_nodes, 0_i4, nslave > 0)
+    b%a%nnode = merge(nslave + b%info%nodes_minimum - 1, 0_i4, nslave > 0)
     b%a%x = c_loc(b%x)
     b%a%u = c_loc(b%u)
     b%a%parameters = c_loc(b%parameters)
@@ -211,7 +213,7 @@ contains
     if (pass) pass = cte_element_info(b%element, 0, b%info) == CTE_SUCCESS
     if (.not. pass) return
     nslave = merge(wanted_nslave, 0_i4, b%info%slave_nodes == 0)
-    if (nslave > 0) pass = cte_element_info(b%element, nslave + b%info%master_nodes, b%info) == CTE_SUCCESS
+    if (nslave > 0) pass = cte_element_info(b%element, nslave + b%info%nodes_minimum - 1, b%info) == CTE_SUCCESS
     if (.not. pass) return
     pass = b%info%unknowns <= room_unknowns .and. b%info%parameters <= room_parameters &
       .and. b%info%history <= room_history .and. b%info%points <= room_points &
@@ -222,6 +224,31 @@ contains
     b%row(nslave + 1) = 1
     call fill_arguments(b, nslave)
   end function bench_index
+
+  ! Nodes of multipliers, behind all others.
+  pure function bench_multipliers(b) result(multipliers)
+    type(bench), intent(in) :: b
+    integer :: multipliers
+    multipliers = b%info%nodes_minimum - max(1_i4, b%info%slave_nodes) - b%info%master_nodes
+  end function bench_multipliers
+
+  ! Unknown number `unknown` from 1 is a multiplier.
+  pure function bench_is_multiplier(b, unknown) result(is_multiplier)
+    type(bench), intent(in) :: b
+    integer, intent(in) :: unknown
+    logical :: is_multiplier
+    is_multiplier = unknown > b%info%unknowns - bench_multipliers(b)
+  end function bench_is_multiplier
+
+  ! Position from 1 of an unknown from 1 in x and u, which have room for every component of every node.
+  pure function bench_position(b, unknown) result(position)
+    type(bench), intent(in) :: b
+    integer, intent(in) :: unknown
+    integer :: position, first
+    first = b%info%unknowns - bench_multipliers(b) + 1
+    position = unknown
+    if (bench_is_multiplier(b, unknown)) position = first + (unknown - first)*b%info%dimension
+  end function bench_position
 
   ! Index from 0 of a named parameter, -1 when there is none.
   function bench_parameter(b, name) result(found)
@@ -269,8 +296,8 @@ contains
   end subroutine place
 
   ! The same by name for the elements with a known closed state: PointQuad4, InterpolatedQuad4, PointLine2,
-  ! PointPoint, PointCylinder, PointCylinderDistance, and with friction on Quad4, Line2, Cylinder. Failure is
-  ! counted.
+  ! PointPoint, PointCylinder, PointCylinderDistance, with friction on Quad4, Line2, Cylinder, with multipliers
+  ! (zero) on Quad4. Failure is counted.
   subroutine bench_open(b, name)
     type(bench), intent(inout), target :: b
     character(len=*), intent(in) :: name

@@ -13,7 +13,7 @@ enum {
   ROOM_UNKNOWNS = 3 * ROOM_NODES,
   ROOM_PARAMETERS = 64,
   ROOM_POINTS = 64,
-  ROOM_HISTORY = 6 * ROOM_POINTS, /* with friction 2 + 2 * 2 per point */
+  ROOM_HISTORY = 8 * ROOM_POINTS, /* with friction and a multiplier 3 + 2 * 2 per point */
   ROOM_WORKSPACE = 1 << 18
 };
 
@@ -55,8 +55,15 @@ double client_random(void);
 int bench_index(bench *b, int32_t index, int32_t nslave);
 
 /* The same by name for the elements with a known closed state: PointQuad4, InterpolatedQuad4, PointLine2,
- * PointPoint, PointCylinder, PointCylinderDistance, and with friction on Quad4, Line2, Cylinder. Failure is counted. */
+ * PointPoint, PointCylinder, PointCylinderDistance, with friction on Quad4, Line2, Cylinder, with multipliers (zero)
+ * on Quad4. Failure is counted. */
 int bench_open(bench *b, const char *name);
+
+/* Nodes of multipliers, behind all others; position of an unknown in x and u, which have room for every component of
+ * every node, and whether it is a multiplier. */
+int bench_multipliers(const bench *b);
+int bench_position(const bench *b, int unknown);
+int bench_is_multiplier(const bench *b, int unknown);
 
 /* Index of a named parameter, -1 when there is none; sets it. */
 int bench_parameter(const bench *b, const char *name);

@@ -22,6 +22,9 @@ int main(void)
   interface_batch();
   interface_friction();
   interface_transfer();
+  interface_multipliers();
+  interface_multiplier_batch();
+  interface_augmented();
   printf("%s interface, %d failures\n", client_failures ? "FAIL" : "PASS", client_failures);
   return client_failures ? 1 : 0;
 }

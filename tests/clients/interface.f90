@@ -13,6 +13,9 @@ program interface_client
   use interface_batch, only: interface_batch_run
   use interface_friction, only: interface_friction_run
   use interface_transfer, only: interface_transfer_run
+  use interface_multipliers, only: interface_multipliers_run
+  use interface_multiplier_batch, only: interface_multiplier_batch_run
+  use interface_augmented, only: interface_augmented_run
   implicit none
   call interface_layout_run()
   call interface_constants_run()
@@ -22,6 +25,9 @@ program interface_client
   call interface_batch_run()
   call interface_friction_run()
   call interface_transfer_run()
+  call interface_multipliers_run()
+  call interface_multiplier_batch_run()
+  call interface_augmented_run()
   print '(2a,i0,a)', merge('PASS', 'FAIL', client_failures == 0), ' interface, ', client_failures, ' failures'
   if (client_failures /= 0) stop 1
 end program interface_client

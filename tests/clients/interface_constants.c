@@ -98,7 +98,8 @@ static void others(void)
                                       CONSTANT(CTE_SYMMETRISE, 64),   CONSTANT(CTE_PROJECTION_GIVEN, 128)};
   static const constant kinds[] = {CONSTANT(CTE_UNKNOWN_UX, 1), CONSTANT(CTE_UNKNOWN_UY, 2),
                                    CONSTANT(CTE_UNKNOWN_UZ, 3), CONSTANT(CTE_UNKNOWN_TX, 4),
-                                   CONSTANT(CTE_UNKNOWN_TY, 5), CONSTANT(CTE_UNKNOWN_TZ, 6)};
+                                   CONSTANT(CTE_UNKNOWN_TY, 5), CONSTANT(CTE_UNKNOWN_TZ, 6),
+                                   CONSTANT(CTE_UNKNOWN_MULTIPLIER, 7)};
   static const constant outputs[] = {
       CONSTANT(CTE_OUTPUT_STATUS, 0),     CONSTANT(CTE_OUTPUT_GAP, 1),        CONSTANT(CTE_OUTPUT_NORMAL_TRACTION, 2),
       CONSTANT(CTE_OUTPUT_WEIGHT, 3),     CONSTANT(CTE_OUTPUT_PROJECTION, 4), CONSTANT(CTE_OUTPUT_NORMAL, 6),

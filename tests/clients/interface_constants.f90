@@ -32,8 +32,8 @@ module interface_constants
     CTE_STATUS_LAW]
   integer(i4), parameter :: request(8) = [CTE_RESIDUAL, CTE_TANGENT, CTE_HISTORY, CTE_OUTPUT, CTE_ENERGY, &
     CTE_FREEZE_STATE, CTE_SYMMETRISE, CTE_PROJECTION_GIVEN]
-  integer(i4), parameter :: unknown_kind(6) = [CTE_UNKNOWN_UX, CTE_UNKNOWN_UY, CTE_UNKNOWN_UZ, CTE_UNKNOWN_TX, &
-    CTE_UNKNOWN_TY, CTE_UNKNOWN_TZ]
+  integer(i4), parameter :: unknown_kind(7) = [CTE_UNKNOWN_UX, CTE_UNKNOWN_UY, CTE_UNKNOWN_UZ, CTE_UNKNOWN_TX, &
+    CTE_UNKNOWN_TY, CTE_UNKNOWN_TZ, CTE_UNKNOWN_MULTIPLIER]
   integer(i4), parameter :: output(11) = [CTE_OUTPUT_STATUS, CTE_OUTPUT_GAP, CTE_OUTPUT_NORMAL_TRACTION, &
     CTE_OUTPUT_WEIGHT, CTE_OUTPUT_PROJECTION, CTE_OUTPUT_NORMAL, CTE_OUTPUT_ITERATIONS, CTE_OUTPUT_FEATURE, &
     CTE_OUTPUT_TANGENTIAL_TRACTION, CTE_OUTPUT_TANGENTS, CTE_OUTPUT_SIZE]
@@ -84,7 +84,7 @@ contains
     call compare('statuses', status, [(i, i=0, 8)])
     call texts('texts of the statuses', status, cte_status_message)
     call compare('request bits', request, [(2**i, i=0, 7)])
-    call compare('kinds of unknowns', unknown_kind, [(i, i=1, 6)])
+    call compare('kinds of unknowns', unknown_kind, [(i, i=1, 7)])
     call compare('entries of the output', output, [0, 1, 2, 3, 4, 6, 9, 10, 11, 13, 19])
     call compare('entries of the history', histories, [0, 1])
     call compare('version numbers', version, [1, 0, 65536])

@@ -93,8 +93,8 @@ static void layout_api_table(void)
       FIELD(cte_api_table, element_evaluate_batch, 88), FIELD(cte_api_table, csr_map, 96),
       FIELD(cte_api_table, code_message, 104), FIELD(cte_api_table, status_message, 112),
       FIELD(cte_api_table, argument_name, 120), FIELD(cte_api_table, element_message, 128),
-      FIELD(cte_api_table, history_transfer, 136)};
-  layout("layout of cte_api_table, bytes:", sizeof(cte_api_table), 144, fields, sizeof fields / sizeof fields[0]);
+      FIELD(cte_api_table, history_transfer, 136), FIELD(cte_api_table, history_augment, 144)};
+  layout("layout of cte_api_table, bytes:", sizeof(cte_api_table), 152, fields, sizeof fields / sizeof fields[0]);
 }
 
 void interface_layout(void)

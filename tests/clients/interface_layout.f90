@@ -174,7 +174,8 @@ contains
     call field('argument_name', c_loc(v%argument_name), 120)
     call field('element_message', c_loc(v%element_message), 128)
     call field('history_transfer', c_loc(v%history_transfer), 136)
-    call finish('cte_api_table', int(c_sizeof(v), i8), 144)
+    call field('history_augment', c_loc(v%history_augment), 144)
+    call finish('cte_api_table', int(c_sizeof(v), i8), 152)
   end subroutine layout_api_table
 
   subroutine interface_layout_run()

@@ -10,5 +10,8 @@ void interface_entries(void);   /* the table and the Fortran 77 entries give the
 void interface_batch(void);     /* batches against single calls */
 void interface_friction(void);  /* stick, slip, history of frictional elements */
 void interface_transfer(void);  /* histories from element to element */
+void interface_multipliers(void);      /* multipliers that are unknowns */
+void interface_multiplier_batch(void); /* the same in batches */
+void interface_augmented(void);        /* multipliers of the history: Uzawa's iteration */
 
 #endif

@@ -12,41 +12,58 @@ static bench b, alone;
 static const uint32_t all_requests = CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY | CTE_OUTPUT | CTE_ENERGY |
                                      CTE_FREEZE_STATE | CTE_SYMMETRISE | CTE_PROJECTION_GIVEN;
 
-/* Entries per point: without friction status and projection; with friction, whose tangent has no symmetry, anchor
- * and slip path too. Else 0. */
-static int history_of_point(const cte_info *info)
+/* Anchor and slip path: with friction, whose tangent has no symmetry. */
+static int has_slip(const cte_info *info)
 {
-  const int entries = info->history / info->points, plain = 1 + info->projected;
-  if (entries == plain)
-    return entries;
-  return entries == 2 * plain && info->projected > 0 && info->symmetric == 0 ? entries : 0;
+  return info->history / info->points >= 2 + 2 * info->projected && info->projected > 0 && info->symmetric == 0;
+}
+
+/* Entries per point: status and projection; with friction anchor and slip path too; a multiplier, where there is none
+ * among the unknowns. Else 0. */
+static int history_of_point(const bench *any)
+{
+  const cte_info *info = &any->info;
+  const int p = info->projected, entries = info->history / info->points;
+  const int plain = 1 + p + (has_slip(info) ? p + 1 : 0);
+  return entries == plain || (entries == plain + 1 && bench_multipliers(any) == 0) ? entries : 0;
 }
 
 /* The numbers of the description agree with each other. */
-static int description_sound(const cte_info *info)
+static int description_sound(const bench *any)
 {
-  const int interpolated = info->slave_nodes == 0;
-  const int nodes = (interpolated ? NSLAVE : info->slave_nodes) + info->master_nodes;
-  return (info->dimension == 2 || info->dimension == 3) && info->unknowns == nodes * info->dimension &&
-         info->nodes_minimum == (interpolated ? 1 : info->slave_nodes) + info->master_nodes &&
+  const cte_info *info = &any->info;
+  const int interpolated = info->slave_nodes == 0, multipliers = bench_multipliers(any);
+  const int positions = (interpolated ? NSLAVE : info->slave_nodes) + info->master_nodes;
+  return (info->dimension == 2 || info->dimension == 3) &&
+         info->unknowns == positions * info->dimension + multipliers &&
+         (multipliers == 0 || multipliers == info->points) &&
          info->nodes_maximum == (interpolated ? 0 : info->nodes_minimum) && info->points >= 1 &&
          info->projected >= 0 && info->projected <= 2 &&
-         info->history % info->points == 0 && history_of_point(info) > 0 && (info->requests & CTE_RESIDUAL) &&
+         info->history % info->points == 0 && history_of_point(any) > 0 && (info->requests & CTE_RESIDUAL) &&
          (info->requests & ~all_requests) == 0 && (info->symmetric == 0 || info->symmetric == 1) &&
          info->operations > 0 && info->workspace >= 0 && info->formulation != 0 && info->name[0] != '\0' &&
          info->documentation != NULL;
 }
 
-/* Every unknown has a place of its own, and a kind that its dimension knows. */
+/* A displacement or a change of a tangent vector that the dimension knows; a multiplier where one is expected. */
+static int kind_sound(int32_t kind, int is_multiplier)
+{
+  if (is_multiplier)
+    return kind == CTE_UNKNOWN_MULTIPLIER;
+  return kind >= CTE_UNKNOWN_UX && kind <= CTE_UNKNOWN_TZ &&
+         (b.info.dimension == 3 || (kind != CTE_UNKNOWN_UZ && kind != CTE_UNKNOWN_TZ));
+}
+
+/* Every unknown has a place of its own, and its kind; multipliers come last, one per node, in order. */
 static int unknowns_sound(void)
 {
-  int32_t node, kind, seen[ROOM_NODES][CTE_UNKNOWN_TZ + 1] = {{0}};
+  int32_t node, kind, seen[ROOM_NODES][CTE_UNKNOWN_MULTIPLIER + 1] = {{0}};
   int pass = 1;
   for (int32_t i = 0; i < b.info.unknowns && pass; i++) {
-    pass = cte_element_unknown(b.element, b.a.nnode, i, &node, &kind) == CTE_SUCCESS && node >= 0 &&
-           node < ROOM_NODES && kind >= CTE_UNKNOWN_UX && kind <= CTE_UNKNOWN_TZ &&
-           (b.info.dimension == 3 || (kind != CTE_UNKNOWN_UZ && kind != CTE_UNKNOWN_TZ));
-    pass = pass && seen[node][kind]++ == 0 && node == i / b.info.dimension;
+    pass = cte_element_unknown(b.element, b.a.nnode, i, &node, &kind) == CTE_SUCCESS &&
+           node == bench_position(&b, i) / b.info.dimension && node < ROOM_NODES &&
+           kind_sound(kind, bench_is_multiplier(&b, i));
+    pass = pass && seen[node][kind]++ == 0;
   }
   return pass && cte_element_unknown(b.element, b.a.nnode, b.info.unknowns, &node, &kind) == CTE_ERROR_INDEX;
 }
@@ -81,15 +98,18 @@ static int lookup_sound(int32_t index)
          cte_element_get(index) == b.element;
 }
 
-/* Initial history: open, projection and anchor at the centre, no slip. */
+/* Initial history: open, projection and anchor at the centre, no slip, no multiplier. */
 static int history_sound(void)
 {
   int pass = 1;
-  const int entries = history_of_point(&b.info), p = b.info.projected;
+  const int entries = history_of_point(&b), p = b.info.projected, slip = has_slip(&b.info);
+  const int plain = 1 + p + (slip ? p + 1 : 0);
   for (int32_t point = 0; point < b.info.points; point++) {
     const double *h = &b.hist_old[point * entries];
     pass &= h[CTE_HISTORY_STATUS] == CTE_STATUS_OPEN;
-    if (entries > 1 + p)
+    if (entries > plain)
+      pass &= h[plain] == 0.0;
+    if (slip)
       pass &= client_same(&h[CTE_HISTORY_PROJECTION], &h[CTE_HISTORY_PROJECTION + p], p) && h[1 + 2 * p] == 0.0;
   }
   return pass;
@@ -114,14 +134,23 @@ static int32_t evaluate_alone(uint32_t request)
   return bench_evaluate(&alone);
 }
 
-/* Residual alone: the bits of the joint call. Tangent alone: the same to rounding. Random nodes. */
+/* Random nodes, random multipliers, most of which press. */
+static void randomise(void)
+{
+  for (int i = 0; i < b.info.unknowns; i++)
+    if (bench_is_multiplier(&b, i))
+      b.u[bench_position(&b, i)] = 0.25 - client_random();
+    else
+      b.x[i] = client_random();
+}
+
+/* Residual alone: the bits of the joint call. Tangent alone: the same to rounding. */
 static int evaluation_sound(void)
 {
   const long n = b.info.unknowns;
   int pass = 1;
   for (int state = 0; state < STATES && pass; state++) {
-    for (long i = 0; i < n; i++)
-      b.x[i] = client_random();
+    randomise();
     poison(&b);
     const int32_t code = bench_evaluate(&b);
     pass = code == CTE_SUCCESS || code == CTE_CUT_BACK;
@@ -166,7 +195,7 @@ void interface_walk(void)
       client_check(0, client_text("layout of element", index));
       continue;
     }
-    check(description_sound(&b.info), "description");
+    check(description_sound(&b), "description");
     check(unknowns_sound(), "unknowns");
     check(parameters_sound(), "parameters");
     check(lookup_sound(index), "lookup by name");

@@ -14,45 +14,71 @@ module interface_walk
 
 contains
 
-  ! Entries per point: without friction status and projection; with friction, whose tangent has no symmetry,
-  ! anchor and slip path too. Else 0.
-  pure function history_of_point(info) result(entries)
+  ! Anchor and slip path: with friction, whose tangent has no symmetry.
+  pure function has_slip(info) result(slip)
     type(cte_info), intent(in) :: info
+    logical :: slip
+    slip = info%history/info%points >= 2 + 2*info%projected .and. info%projected > 0 .and. info%symmetric == 0
+  end function has_slip
+
+  ! Entries per point without a multiplier: status and projection; with friction anchor and slip path too.
+  pure function plain_history(info) result(entries)
+    type(cte_info), intent(in) :: info
+    integer :: entries
+    entries = 1 + info%projected + merge(info%projected + 1_i4, 0_i4, has_slip(info))
+  end function plain_history
+
+  ! Entries per point, with a multiplier where there is none among the unknowns. Else 0.
+  pure function history_of_point(any_bench) result(entries)
+    type(bench), intent(in) :: any_bench
     integer :: entries, plain
-    entries = info%history/info%points
-    plain = 1 + info%projected
+    entries = any_bench%info%history/any_bench%info%points
+    plain = plain_history(any_bench%info)
     if (entries == plain) return
-    if (entries /= 2*plain .or. info%projected == 0 .or. info%symmetric /= 0) entries = 0
+    if (entries /= plain + 1 .or. bench_multipliers(any_bench) /= 0) entries = 0
   end function history_of_point
 
   ! The numbers of the description agree with each other.
-  function description_sound(info) result(pass)
-    type(cte_info), intent(in) :: info
+  function description_sound(any_bench) result(pass)
+    type(bench), intent(in) :: any_bench
+    type(cte_info) :: info
     logical :: pass, interpolated
-    integer :: nodes
+    integer :: positions, multipliers
+    info = any_bench%info
     interpolated = info%slave_nodes == 0
-    nodes = merge(nslave, int(info%slave_nodes), interpolated) + info%master_nodes
-    pass = any(info%dimension == [2, 3]) .and. info%unknowns == nodes*info%dimension .and. info%nodes_minimum &
-      == merge(1_i4, info%slave_nodes, interpolated) + info%master_nodes
+    multipliers = bench_multipliers(any_bench)
+    positions = merge(nslave, int(info%slave_nodes), interpolated) + info%master_nodes
+    pass = any(info%dimension == [2, 3]) .and. info%unknowns == positions*info%dimension + multipliers &
+      .and. any(multipliers == [0, int(info%points)])
     pass = pass .and. info%nodes_maximum == merge(0_i4, info%nodes_minimum, interpolated) &
       .and. info%points >= 1 .and. info%projected >= 0 .and. info%projected <= 2 &
-      .and. mod(info%history, info%points) == 0 .and. history_of_point(info) > 0
+      .and. mod(info%history, info%points) == 0 .and. history_of_point(any_bench) > 0
     pass = pass .and. iand(info%requests, CTE_RESIDUAL) /= 0 .and. iand(info%requests, not(all_requests)) == 0 &
       .and. any(info%symmetric == [0, 1]) .and. info%operations > 0 .and. info%workspace >= 0
     pass = pass .and. info%formulation /= 0 .and. len(cte_string(info%name)) > 0 &
       .and. c_associated(info%documentation)
   end function description_sound
 
-  ! Every unknown has a place of its own, and a kind that its dimension knows.
+  ! A displacement or a change of a tangent vector that the dimension knows; a multiplier where one is expected.
+  function kind_sound(kind, is_multiplier) result(pass)
+    integer(i4), intent(in) :: kind
+    logical, intent(in) :: is_multiplier
+    logical :: pass
+    pass = kind >= CTE_UNKNOWN_UX .and. kind <= CTE_UNKNOWN_TZ &
+      .and. (b%info%dimension == 3 .or. all(kind /= [CTE_UNKNOWN_UZ, CTE_UNKNOWN_TZ]))
+    if (is_multiplier) pass = kind == CTE_UNKNOWN_MULTIPLIER
+  end function kind_sound
+
+  ! Every unknown has a place of its own, and its kind; multipliers come last, one per node, in order.
   function unknowns_sound() result(pass)
     logical :: pass
     integer(i4) :: node, kind, i
-    logical :: seen(0:room_nodes - 1, CTE_UNKNOWN_UX:CTE_UNKNOWN_TZ)
+    logical :: seen(0:room_nodes - 1, CTE_UNKNOWN_UX:CTE_UNKNOWN_MULTIPLIER)
     seen = .false.
     do i = 0, b%info%unknowns - 1
       pass = cte_element_unknown(b%element, b%a%nnode, i, node, kind) == CTE_SUCCESS
-      pass = pass .and. node == i/b%info%dimension .and. kind >= CTE_UNKNOWN_UX .and. kind <= CTE_UNKNOWN_TZ &
-        .and. (b%info%dimension == 3 .or. all(kind /= [CTE_UNKNOWN_UZ, CTE_UNKNOWN_TZ]))
+      pass = pass .and. node == (bench_position(b, i + 1) - 1)/b%info%dimension .and. node < room_nodes &
+        .and. kind_sound(kind, bench_is_multiplier(b, i + 1))
       if (pass) pass = .not. seen(node, kind)
       if (.not. pass) return
       seen(node, kind) = .true.
@@ -95,18 +121,20 @@ contains
     if (pass) pass = c_associated(cte_element_get(element_index), b%element)
   end function lookup_sound
 
-  ! Initial history: open, projection and anchor at the centre, no slip.
+  ! Initial history: open, projection and anchor at the centre, no slip, no multiplier.
   function history_sound() result(pass)
     logical :: pass
-    integer :: entries, p, first, point
-    entries = history_of_point(b%info)
+    integer :: entries, plain, p, first, point
+    entries = history_of_point(b)
+    plain = plain_history(b%info)
     p = b%info%projected
     pass = .true.
     do point = 0, b%info%points - 1
       first = point*entries + 1
       pass = pass .and. nint(b%hist_old(first + CTE_HISTORY_STATUS)) == CTE_STATUS_OPEN
+      if (entries > plain) pass = pass .and. abs(b%hist_old(first + plain)) <= 0
       first = first + CTE_HISTORY_PROJECTION
-      if (entries > 1 + p) pass = pass .and. abs(b%hist_old(first + 2*p)) <= 0 &
+      if (has_slip(b%info)) pass = pass .and. abs(b%hist_old(first + 2*p)) <= 0 &
         .and. client_same(b%hist_old(first:first + p - 1), b%hist_old(first + p:first + 2*p - 1))
     end do
   end function history_sound
@@ -144,16 +172,28 @@ contains
     code = bench_evaluate(alone)
   end function evaluate_alone
 
-  ! Residual alone: the bits of the joint call. Tangent alone: the same to rounding. Random nodes.
+  ! Random nodes, random multipliers, most of which press.
+  subroutine randomise()
+    real(dp) :: value
+    integer :: i
+    do i = 1, b%info%unknowns
+      call client_random(value)
+      if (bench_is_multiplier(b, i)) then
+        b%u(bench_position(b, i)) = 0.25_dp - value
+      else
+        b%x(i) = value
+      end if
+    end do
+  end subroutine randomise
+
+  ! Residual alone: the bits of the joint call. Tangent alone: the same to rounding.
   function evaluation_sound() result(pass)
     logical :: pass
     integer(i4) :: code
-    integer :: state, i, n
+    integer :: state, n
     n = b%info%unknowns
     do state = 1, states
-      do i = 1, n
-        call client_random(b%x(i))
-      end do
+      call randomise()
       call poison(b)
       code = bench_evaluate(b)
       pass = any(code == [CTE_SUCCESS, CTE_CUT_BACK])
@@ -198,7 +238,7 @@ contains
         call client_check(.false., client_text('layout of element', int(i, i8)))
         cycle
       end if
-      call check(description_sound(b%info), 'description')
+      call check(description_sound(b), 'description')
       call check(unknowns_sound(), 'unknowns')
       call check(parameters_sound(), 'parameters')
       call check(lookup_sound(i), 'lookup by name')

@@ -2,13 +2,15 @@
 
 use contact_elements::abi::{self, Evaluation, OUTPUT_SIZE, Outcome};
 use contact_elements::program::{ElementDescription, SlaveDescription};
+use contact_elements::runtime::Enforcement;
 
 use crate::catalogue::{CIRCLE_RADIUS, law, master, slave, tangential};
 use crate::configurations::Configuration;
 use crate::oracle::geometry::{Placement, RigidDistance, RigidParametric};
 use crate::oracle::law::Law;
+use crate::oracle::multiplier::Multipliers;
 use crate::oracle::pair::{GapKind, Master, Pair, Slave};
-use crate::oracle::solve::{Accepted, FrictionHistory};
+use crate::oracle::solve::{Accepted, Couplings, FrictionHistory};
 use crate::oracle::tangential::{Axis, TangentialLaw};
 
 /// An element under test.
@@ -68,6 +70,11 @@ impl Subject {
             r0: 0.0,
             law: law(description.law.name)?,
             tangential: tangential(description)?,
+            multipliers: match description.descriptor.enforcement {
+                Enforcement::Penalty => Multipliers::None,
+                Enforcement::Augmented => Multipliers::Held(vec![]),
+                Enforcement::Multiplier => Multipliers::Unknown(vec![]),
+            },
         };
         Ok(Self {
             description,
@@ -190,8 +197,13 @@ impl Subject {
     }
 
     /// The oracle's start and what it remembers as the element's history: per point status and projected
-    /// parameters, with friction the anchor and the path too. Nothing remembered: open.
-    pub fn history(&self, start: &[[f64; 2]], friction: &[FrictionHistory]) -> Vec<f64> {
+    /// parameters, with friction the anchor and the path too, multipliers that are held. Nothing remembered: open.
+    pub fn history(
+        &self,
+        start: &[[f64; 2]],
+        friction: &[FrictionHistory],
+        multipliers: &Multipliers,
+    ) -> Vec<f64> {
         let descriptor = self.description.descriptor;
         let mut history = Vec::with_capacity(descriptor.history());
         for q in 0..descriptor.points {
@@ -207,39 +219,57 @@ impl Subject {
                 history.extend(&remembered.anchor[..descriptor.projected]);
                 history.push(remembered.slip);
             }
+            if let Multipliers::Held(_) = multipliers {
+                history.extend(multipliers.at(q));
+            }
         }
         history
     }
 
     /// The history of a configuration.
     pub fn history_of(&self, configuration: &Configuration) -> Vec<f64> {
-        self.history(&configuration.start, &configuration.friction)
+        self.history(
+            &configuration.start,
+            &configuration.friction,
+            &configuration.pair.multipliers,
+        )
     }
 
     /// Calls the element through the C interface.
     pub fn call(&self, input: &Input<'_>, wanted: Wanted) -> Answer {
         let descriptor = self.description.descriptor;
-        let unknowns = input.reference.len();
+        let d = descriptor.dimension;
+        let positions = input.reference.len();
+        let nodes = positions / d + descriptor.multipliers();
+        let unknowns = descriptor.unknowns(nodes);
         let tangent = if wanted.tangent && descriptor.tangent {
             unknowns * unknowns
         } else {
             0
         };
-        let nodes = unknowns / descriptor.dimension;
+        let (mut x, mut u) = (input.reference.to_vec(), input.displacement.to_vec());
+        for q in 0..descriptor.multipliers() {
+            // what stands beside the multiplier is not looked at
+            let value = input.multipliers.get(q).copied().unwrap_or(0.0);
+            x.extend(vec![UNTOUCHED; d]);
+            u.push(value);
+            u.extend(vec![UNTOUCHED; d - 1]);
+        }
         let mut answer = Answer {
             residual: vec![UNTOUCHED; unknowns],
             tangent: vec![UNTOUCHED; tangent],
             output: vec![UNTOUCHED; descriptor.points * OUTPUT_SIZE],
             energy: vec![UNTOUCHED; usize::from(descriptor.energy)],
             history: vec![UNTOUCHED; descriptor.history()],
+            couplings: Couplings::default(),
             outcome: None,
         };
         let mut workspace = vec![0.0; descriptor.workspace(nodes)];
         let outcome = abi::evaluate(
             descriptor,
             &mut Evaluation {
-                x: input.reference,
-                u: input.displacement,
+                x: &x,
+                u: &u,
                 parameters: input.parameters,
                 history: input.history,
                 slave_row: input.slave_row,
@@ -257,6 +287,7 @@ impl Subject {
             },
         );
         answer.outcome = Some(outcome);
+        answer.split(positions);
         answer
     }
 }
@@ -284,6 +315,8 @@ pub struct Input<'a> {
     pub history: &'a [f64],
     /// Row of an interpolated slave.
     pub slave_row: &'a [f64],
+    /// Multipliers that are unknowns.
+    pub multipliers: &'a [f64],
 }
 
 /// Which outputs a call wants.
@@ -319,11 +352,38 @@ pub struct Answer {
     pub energy: Vec<f64>,
     /// Trial history per contact point.
     pub history: Vec<f64>,
+    /// What belongs to multipliers that are unknowns.
+    pub couplings: Couplings,
     /// Codes.
     pub outcome: Option<Outcome>,
 }
 
 impl Answer {
+    /// Takes what belongs to multipliers out of residual and tangent.
+    fn split(&mut self, positions: usize) {
+        let all = self.residual.len();
+        if all == positions {
+            return;
+        }
+        self.couplings.residual = self.residual.split_off(positions);
+        let whole = std::mem::take(&mut self.tangent);
+        let at = |i: usize, j: usize| whole[all * i + j];
+        let (inner, outer) = (0..positions, positions..all);
+        if whole.is_empty() {
+            return;
+        }
+        for i in inner.clone() {
+            self.tangent.extend(inner.clone().map(|j| at(i, j)));
+        }
+        for q in outer.clone() {
+            self.couplings
+                .columns
+                .extend(inner.clone().map(|i| at(i, q)));
+            self.couplings.rows.extend(inner.clone().map(|j| at(q, j)));
+            self.couplings.block.extend(outer.clone().map(|p| at(q, p)));
+        }
+    }
+
     /// Status of the element.
     pub fn status(&self) -> Option<contact_elements::runtime::Status> {
         self.outcome.and_then(|outcome| outcome.status())
@@ -336,7 +396,9 @@ impl Answer {
             .iter()
             .chain(&self.tangent)
             .chain(&self.energy)
-            .chain(&self.history);
+            .chain(&self.history)
+            .chain(&self.couplings.residual)
+            .chain(&self.couplings.block);
         entries.all(|&value| value == UNTOUCHED)
     }
 

@@ -76,7 +76,7 @@ impl<'a> Checked<'a> {
 
     /// Unknowns of each contact.
     pub(super) fn unknowns(&self) -> usize {
-        self.nodes * self.element.dimension
+        self.element.unknowns(self.nodes)
     }
 
     fn check_pointers(&self) -> Result<(), Fault> {

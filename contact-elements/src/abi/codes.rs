@@ -70,9 +70,10 @@ pub mod request {
     pub const PROJECTION_GIVEN: u32 = 128;
 }
 
-/// Kinds of unknowns: displacement or tangent vector, plus the component 0, 1, 2.
+/// Kinds of unknowns: displacement or tangent vector, plus the component 0, 1, 2; multiplier.
 pub mod kind {
     #![allow(missing_docs)]
     pub const DISPLACEMENT: i32 = 1;
     pub const TANGENT_VECTOR: i32 = 4;
+    pub const MULTIPLIER: i32 = 7;
 }

@@ -35,7 +35,7 @@ pub unsafe fn csr_map(
     if connectivity.is_null() || row_start.is_null() || column.is_null() || map.is_null() {
         return code::NULL;
     }
-    let unknowns = nodes * element.dimension;
+    let unknowns = element.unknowns(nodes);
     let entries = n.checked_mul(unknowns * unknowns);
     if entries.is_none_or(|entries| entries > MOST_ENTRIES) || rows >= MOST_ENTRIES {
         return code::INDEX;
@@ -80,7 +80,7 @@ struct Pattern<'a> {
 impl Pattern<'_> {
     /// Row of an element's unknown.
     fn row(&self, e: usize, unknown: usize) -> Option<usize> {
-        let (a, component) = self.element.place(unknown);
+        let (a, component) = self.element.place(self.nodes, unknown);
         let node = usize::try_from(*self.connectivity.get(e * self.nodes + a)?).ok()?;
         let row = node * self.element.dimension + component;
         (row + 1 < self.starts.len()).then_some(row)

@@ -80,7 +80,7 @@ pub unsafe fn element_info(element: *const Descriptor, nnode: i32, info: *mut In
             nodes_maximum: if element.interpolated { 0 } else { smallest },
             slave_nodes: element.slave_nodes as i32,
             master_nodes: element.master_nodes as i32,
-            unknowns: (n * element.dimension) as i32,
+            unknowns: element.unknowns(n) as i32,
             parameters: element.parameters.len() as i32,
             history: element.history() as i32,
             points: element.points as i32,
@@ -120,17 +120,20 @@ pub unsafe fn element_unknown(
         return code::NODE_COUNT;
     };
     let index = match usize::try_from(index) {
-        Ok(index) if index < n * element.dimension => index,
+        Ok(index) if index < element.unknowns(n) => index,
         _ => return code::INDEX,
     };
-    let (a, component) = element.place(index);
-    let first = n - element.vectors.len().min(n);
+    let (a, component) = element.place(n, index);
+    let positions = n - element.multipliers().min(n);
+    let first = positions - element.vectors.len().min(positions);
     let vector = a
         .checked_sub(first)
         .and_then(|a| element.vectors.get(a))
         .copied()
         .unwrap_or(false);
-    let first = if vector {
+    let first = if a >= positions {
+        kind::MULTIPLIER
+    } else if vector {
         kind::TANGENT_VECTOR
     } else {
         kind::DISPLACEMENT

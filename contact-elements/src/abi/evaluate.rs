@@ -316,7 +316,7 @@ pub(super) fn scale(value: f64) -> Result<f64, Fault> {
 /// As [`element_evaluate`].
 unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Result<Target, Fault> {
     let bits = arguments.request;
-    let unknowns = n * element.dimension;
+    let unknowns = element.unknowns(n);
     // SAFETY: promised by the caller.
     let rows = unsafe { host_rows(arguments.unknown_map, unknowns)? };
     let (row_stride, column_stride) = if bits & request::TANGENT == 0 {
@@ -335,6 +335,7 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
         unknowns,
         projected: element.projected,
         friction: element.friction,
+        augmented: element.is_augmented(),
         f: if_wanted(request::RESIDUAL, arguments.f),
         k: if_wanted(request::TANGENT, arguments.k),
         row_stride,

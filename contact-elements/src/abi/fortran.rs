@@ -1,5 +1,6 @@
 //! Fortran 77: everything by address, no CHARACTER arguments, elements by index.
 
+use super::augment::history_augment;
 use super::describe::{element_get, element_history_init, element_info, write};
 use super::evaluate::element_evaluate;
 use super::transfer::history_transfer;
@@ -225,5 +226,27 @@ pub unsafe fn transfer(
             fault,
         );
         write(result, code);
+    }
+}
+
+/// `CTE_F77_HISTORY_AUGMENT`.
+///
+/// # Safety
+/// All addresses are valid for the shapes that the header gives.
+pub unsafe fn augment(
+    elements: &[&'static Descriptor],
+    index: *const i32,
+    (trial, accepted): (*const f64, *mut f64),
+    (fault, result): (*mut i32, *mut i32),
+) {
+    // SAFETY: promised by the caller.
+    unsafe {
+        let element = element(elements, index);
+        if element.is_null() {
+            write(fault, argument::ELEMENT);
+            write(result, code::INDEX);
+            return;
+        }
+        write(result, history_augment(element, trial, accepted, fault));
     }
 }

@@ -3,6 +3,7 @@
 //! Everything that touches a caller's pointer is here. An exported symbol is one line that calls a
 //! function of this module with the registry of its library; see `contact_elements.h` for the manual.
 
+mod augment;
 mod batch;
 mod batch_check;
 mod codes;
@@ -17,6 +18,7 @@ mod target;
 mod transfer;
 mod types;
 
+pub use augment::{augment, history_augment};
 pub use batch::{element_batch_workspace, element_evaluate_batch};
 pub use codes::{argument, code, kind, request};
 pub use csr::csr_map;
@@ -31,7 +33,7 @@ pub use target::Target;
 pub use transfer::{history_transfer, transfer};
 pub use types::{ApiTable, Arguments, Batch, Info};
 
-use crate::runtime::{Call, InputError, Nodes, Summary};
+use crate::runtime::{Call, Enforcement, InputError, Nodes, Summary, can_be_anchor};
 
 /// Version of the interface: major << 16 | minor.
 pub const VERSION: u32 = 1 << 16;
@@ -80,6 +82,8 @@ pub struct Descriptor {
     pub parameters: &'static [Parameter],
     /// True where the element has a tangential law.
     pub friction: bool,
+    /// How the normal law holds the bodies apart.
+    pub enforcement: Enforcement,
     /// True where K is symmetric.
     pub symmetric: bool,
     /// True where the element offers a tangent.
@@ -94,19 +98,46 @@ pub struct Descriptor {
     pub vectors: &'static [bool],
     /// Start of the projection.
     pub centre: [f64; 2],
+    /// Extents of the projected parameters; infinite where a bound is missing.
+    pub extents: [f64; 2],
     /// The kernel.
     pub kernel: Kernel,
 }
 
 impl Descriptor {
     /// Doubles of history of one contact point: status and projected parameters; with friction the anchor and
-    /// the slip path too.
+    /// the slip path too; a multiplier of the history last.
     pub fn point_history(&self) -> usize {
-        if self.friction {
-            2 + 2 * self.projected
-        } else {
-            1 + self.projected
+        let friction = if self.friction { self.projected + 1 } else { 0 };
+        1 + self.projected + friction + usize::from(self.is_augmented())
+    }
+
+    /// True where the history carries a multiplier.
+    pub fn is_augmented(&self) -> bool {
+        self.enforcement == Enforcement::Augmented
+    }
+
+    /// False for an anchor that lies far outside the domain of parameter `i`.
+    pub fn can_be_anchor(&self, i: usize, value: f64) -> bool {
+        match (self.centre.get(i), self.extents.get(i)) {
+            (Some(centre), Some(extent)) => can_be_anchor(value, *centre, *extent),
+            _ => false,
         }
+    }
+
+    /// Multipliers that are unknowns, each with a node of its own behind all others.
+    pub fn multipliers(&self) -> usize {
+        if self.enforcement == Enforcement::Multiplier {
+            self.points
+        } else {
+            0
+        }
+    }
+
+    /// Unknowns of a call with `n` nodes.
+    pub fn unknowns(&self, n: usize) -> usize {
+        let multipliers = self.multipliers();
+        n.saturating_sub(multipliers) * self.dimension + multipliers
     }
 
     /// Doubles of history.
@@ -114,28 +145,32 @@ impl Descriptor {
         self.points * self.point_history()
     }
 
-    /// Node and component of an unknown.
-    pub fn place(&self, unknown: usize) -> (usize, usize) {
-        if self.dimension == 2 {
+    /// Node and component of an unknown of a call with `n` nodes.
+    pub fn place(&self, n: usize, unknown: usize) -> (usize, usize) {
+        let positions = n.saturating_sub(self.multipliers());
+        if let Some(multiplier) = unknown.checked_sub(positions * self.dimension) {
+            (positions + multiplier, 0)
+        } else if self.dimension == 2 {
             (unknown / 2, unknown % 2)
         } else {
             (unknown / 3, unknown % 3)
         }
     }
 
-    /// Nodes of a call with `nslave` interpolated slave nodes.
+    /// Nodes of a call with `nslave` interpolated slave nodes: slave, master, multipliers.
     pub fn nodes(&self, nslave: usize) -> usize {
         let slaves = if self.interpolated {
             nslave
         } else {
             self.slave_nodes
         };
-        slaves + self.master_nodes
+        slaves + self.master_nodes + self.multipliers()
     }
 
     /// Doubles of workspace for `n` nodes.
     pub fn workspace(&self, n: usize) -> usize {
         if self.interpolated {
+            let n = n.saturating_sub(self.multipliers());
             crate::runtime::workspace(n, self.dimension, self.projected, self.friction)
         } else {
             0

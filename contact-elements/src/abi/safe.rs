@@ -6,12 +6,13 @@ use super::types::Arguments;
 use super::{Descriptor, OUTPUT_SIZE, argument, code, request};
 use crate::runtime::Status;
 
-/// Inputs and outputs of one evaluation. Shapes: unknowns = nodes · dimension, node by node.
+/// Inputs and outputs of one evaluation. Shapes: x and u have nodes · dimension entries, node by node; of the node
+/// of a multiplier the first entry of u counts.
 #[derive(Debug, Default)]
 pub struct Evaluation<'a> {
-    /// Reference coordinates \[unknowns\].
+    /// Reference coordinates \[nodes · dimension\].
     pub x: &'a [f64],
-    /// Displacements \[unknowns\]; empty: zero.
+    /// Displacements \[nodes · dimension\]; empty: zero.
     pub u: &'a [f64],
     /// Parameters.
     pub parameters: &'a [f64],
@@ -61,10 +62,10 @@ pub fn evaluate(element: &Descriptor, evaluation: &mut Evaluation<'_>) -> Outcom
         element.slave_nodes
     };
     let n = element.nodes(nslave);
-    let unknowns = n * d;
+    let (coordinates, unknowns) = (n * d, element.unknowns(n));
     // a null pointer would stand for zero displacements or a start at the centre
     for (slice, length, name) in [
-        (evaluation.u, unknowns, argument::U),
+        (evaluation.u, coordinates, argument::U),
         (evaluation.history, element.history(), argument::HISTORY_OLD),
     ] {
         if !slice.is_empty() && slice.len() < length {
@@ -76,8 +77,8 @@ pub fn evaluate(element: &Descriptor, evaluation: &mut Evaluation<'_>) -> Outcom
     arguments.nslave = nslave as i32;
     arguments.parameter_count = evaluation.parameters.len() as i32;
     arguments.parameters = evaluation.parameters.as_ptr();
-    arguments.x = input(evaluation.x, unknowns);
-    arguments.u = input(evaluation.u, unknowns);
+    arguments.x = input(evaluation.x, coordinates);
+    arguments.u = input(evaluation.u, coordinates);
     arguments.hist_old = input(evaluation.history, element.history());
     arguments.slave_row = input(evaluation.slave_row, nslave + 1);
     let mut wanted = evaluation.bits;

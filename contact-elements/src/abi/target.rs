@@ -12,6 +12,8 @@ pub struct Target {
     pub(super) projected: usize,
     /// True where the history holds anchor and slip path.
     pub(super) friction: bool,
+    /// True where the history holds a multiplier.
+    pub(super) augmented: bool,
     pub(super) f: *mut f64,
     pub(super) k: *mut f64,
     pub(super) row_stride: usize,
@@ -91,20 +93,23 @@ impl Target {
         }
     }
 
-    /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too.
+    /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too; a
+    /// multiplier last.
     fn new_history(&mut self, point: usize, report: &Report) {
         let p = self.projected;
-        let size = if self.friction { 2 + 2 * p } else { 1 + p };
+        let friction = if self.friction { p + 1 } else { 0 };
+        let size = 1 + p + friction + usize::from(self.augmented);
         // SAFETY: the history has `size` entries per point.
         let entries = unsafe { core::slice::from_raw_parts(self.history.add(point * size), size) };
         let status = [f64::from(report.status as i32)];
         let zeta = report.zeta.iter().take(p);
         let anchor = report.anchor.iter().take(p);
+        let slid = anchor.chain([&report.path]).take(friction);
         let values = status
             .iter()
             .chain(zeta)
-            .chain(anchor)
-            .chain([&report.path]);
+            .chain(slid)
+            .chain([&report.multiplier]);
         for (entry, &value) in entries.iter().zip(values) {
             entry.set(value);
         }
@@ -181,6 +186,41 @@ impl Receiver for Target {
             self.dense_row(unknown, row, first);
         } else {
             self.strided_row(unknown, row, first);
+        }
+    }
+
+    fn multiplier(&mut self, (node, unknown): (usize, usize), value: f64) {
+        let value = self.f_scale * value;
+        if !self.f.is_null() {
+            // SAFETY: f has an entry for every host row.
+            unsafe { *self.f.add(self.host(unknown)) += value };
+        }
+        if !self.global_f.is_null() {
+            // SAFETY: the connectivity was checked against global_nodes.
+            unsafe {
+                let node = *self.connectivity.add(node) as usize;
+                *self.global_f.add(node * self.dimension) += value;
+            }
+        }
+    }
+
+    fn coupling(&mut self, row: usize, column: usize, value: f64) {
+        let value = self.k_scale * value;
+        if !self.k.is_null() {
+            let (row, column) = (self.host(row), self.host(column));
+            // SAFETY: k has an entry for every pair of host rows.
+            unsafe {
+                *self
+                    .k
+                    .add(row * self.row_stride + column * self.column_stride) += value
+            };
+        }
+        if !self.csr_values.is_null() {
+            // SAFETY: csr_map has unknowns² entries for this element, made by `csr_map` for these values.
+            unsafe {
+                let at = *self.csr_map.add(row * self.unknowns + column) as usize;
+                *self.csr_values.add(at) += value;
+            }
         }
     }
 

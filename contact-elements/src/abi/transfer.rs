@@ -15,7 +15,7 @@ const TANGENTS: usize = 13;
 /// come from an evaluation of the accepted state anew.
 const APART: f64 = 1e-6;
 /// Most entries of a point's history.
-const ROOM: usize = 6;
+const ROOM: usize = 7;
 
 /// One contact point of an element: its output, and its history that belongs to it.
 #[derive(Clone, Copy)]
@@ -58,7 +58,7 @@ impl<'a> Place<'a> {
     /// Values that an evaluation can have written, both arrays in the same one.
     fn check(&self) -> Result<(), Fault> {
         let [element, output, history] = self.names;
-        if !self.element.friction {
+        if !self.element.friction && !self.element.is_augmented() {
             return Err((code::ELEMENT, element, 0));
         }
         for (values, name) in [(self.output, output), (self.history, history)] {
@@ -70,8 +70,12 @@ impl<'a> Place<'a> {
         if !is_status(self.entry(0)) {
             return Err((code::HISTORY, history, 0));
         }
-        if self.entry(1 + 2 * p) < 0.0 {
+        if self.element.friction && self.entry(1 + 2 * p) < 0.0 {
             return Err((code::HISTORY, history, 1 + 2 * p));
+        }
+        let last = self.element.point_history() - 1;
+        if self.element.is_augmented() && self.entry(last) > 0.0 {
+            return Err((code::HISTORY, history, last));
         }
         for i in 0..p {
             let (own, projected) = (self.entry(1 + i), self.at(PROJECTION + i));
@@ -102,10 +106,26 @@ impl<'a> Place<'a> {
         ))
     }
 
-    /// Sticking or sliding.
+    /// Sticking or sliding; in contact where there is no friction.
     fn is_held(&self) -> bool {
+        let held: &[Status] = if self.element.friction {
+            &[Status::Stick, Status::Slip]
+        } else {
+            &[Status::Closed]
+        };
         let status = self.entry(0);
-        status == f64::from(Status::Stick as i32) || status == f64::from(Status::Slip as i32)
+        held.iter().any(|&held| status == f64::from(held as i32))
+    }
+
+    /// What the two elements must have in common.
+    fn kind(&self) -> (usize, usize, bool, bool) {
+        let element = self.element;
+        (
+            element.dimension,
+            element.projected,
+            element.friction,
+            element.is_augmented(),
+        )
     }
 
     /// ζ − ζ_st
@@ -123,13 +143,37 @@ impl<'a> Place<'a> {
 fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Fault> {
     from.check()?;
     to.check()?;
-    let p = to.element.projected;
-    if to.element.dimension != from.element.dimension || from.element.projected != p {
+    if from.kind() != to.kind() {
         return Err((code::ELEMENT, argument::TO, 0));
     }
     if !from.is_held() {
         return Ok(None);
     }
+    let p = to.element.projected;
+    let anchor = if to.element.friction {
+        anchor(from, to)?
+    } else {
+        [0.0; 2]
+    };
+    let slid = if to.element.friction { p } else { 0 };
+    let path = Some(from.entry(1 + 2 * p)).filter(|_| to.element.friction);
+    let multiplier = from.history.last().copied();
+    let values = [from.entry(0)]
+        .into_iter()
+        .chain((0..p).map(|i| to.entry(1 + i)))
+        .chain(anchor.into_iter().take(slid))
+        .chain(path)
+        .chain(multiplier.filter(|_| to.element.is_augmented()));
+    let mut history = [0.0; ROOM];
+    for (entry, value) in history.iter_mut().zip(values) {
+        *entry = value;
+    }
+    Ok(Some(history))
+}
+
+/// The anchor on `to` that keeps the elastic slip.
+fn anchor(from: &Place<'_>, to: &Place<'_>) -> Result<[f64; 2], Fault> {
+    let p = to.element.projected;
     let (old, new) = (from.plane()?, to.plane()?);
     let degenerate = (code::CUT_BACK, argument::TO_OUTPUT, NORMAL);
     let s = old.turned(&old.slip(from.moved()), &new);
@@ -141,22 +185,12 @@ fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Faul
             return Err(degenerate);
         }
     }
-    let projections = (0..p).map(|i| to.entry(1 + i));
-    let values = [from.entry(0)].into_iter().chain(projections);
-    let values = values.chain(anchor.into_iter().take(p));
-    let mut history = [0.0; ROOM];
-    for (entry, value) in history
-        .iter_mut()
-        .zip(values.chain([from.entry(1 + 2 * p)]))
-    {
-        *entry = value;
-    }
-    Ok(Some(history))
+    Ok(anchor)
 }
 
 /// Takes an elastic slip along when the projection passes from one element to its neighbour; output and history
 /// of one contact point each. `to_history` came, with `to_output`, from an evaluation of `to` with its initial
-/// history; anchor, status and slip path of the accepted point are put into it. On anything but
+/// history; status, anchor, slip path and multiplier of the accepted point are put into it. On anything but
 /// [`code::SUCCESS`] it is as it was, and the outcome names the argument and its entry.
 pub fn transfer(
     (from, from_output, from_history): (&Descriptor, &[f64], &[f64]),

@@ -170,6 +170,8 @@ pub struct ApiTable {
         *mut f64,
         *mut i32,
     ) -> i32,
+    pub history_augment:
+        unsafe extern "C" fn(*const Descriptor, *const f64, *mut f64, *mut i32) -> i32,
 }
 
 /// True where the caller's struct is at least as large as `T`.
@@ -187,5 +189,5 @@ const _: () = {
     assert!(size_of::<Info>() == 152);
     assert!(size_of::<Arguments>() == 312);
     assert!(size_of::<Batch>() == 336);
-    assert!(size_of::<ApiTable>() == 144);
+    assert!(size_of::<ApiTable>() == 152);
 };

@@ -4,6 +4,7 @@ use core::cell::Cell;
 
 use super::driver::Stage;
 use super::element::Element;
+use super::enforcement::enforced;
 use super::friction::TangentialLaw;
 use super::projection::{largest, project};
 use super::receiver::Call;
@@ -20,8 +21,10 @@ pub(super) struct Point<const D: usize, const P: usize, const H: usize> {
     pub(super) zeta: [f64; P],
     pub(super) vectors: Vectors<D, P, H>,
     pub(super) gap: Gap<D>,
-    /// Of a closed point.
+    /// Of a closed point; of every point that has a multiplier.
     pub(super) law: Traction,
+    /// λ; 0 where there is none.
+    pub(super) multiplier: f64,
     pub(super) iterations: u32,
 }
 
@@ -52,6 +55,7 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         vectors: projected.vectors,
         gap: Gap::default(),
         law: Traction::default(),
+        multiplier: 0.0,
         iterations: projected.iterations,
     };
     if !E::SIGNED && is_zero(&point.vectors.r, largest(stage.x)) {
@@ -65,17 +69,26 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
     if !(is_finite(&point.gap.n) & is_finite(&[point.gap.gap])) {
         return Err(Status::Degenerate);
     }
+    let gap = point.gap.gap;
+    let has_multiplier = E::AUGMENTED || E::MULTIPLIER;
+    if has_multiplier {
+        point.multiplier = multiplier::<E, D, P, H>(stage.multipliers, history, number);
+        let law = law::<E, D, P, H>(gap, call.parameters)?;
+        point.law = enforced::<E, D, P, H>(law, point.multiplier).ok_or(Status::Law)?;
+    }
     if point.feature != 0 {
         return Ok(point);
     }
-    let gap = point.gap.gap;
     let closed = match (call.wanted.freeze, history) {
         (true, Some(history)) => is_load(history.first()),
+        _ if has_multiplier => point.law.traction < 0.0,
         _ => E::Law::active(gap, call.parameters) > 0.0,
     };
     if closed {
         point.status = Status::Closed;
-        point.law = law::<E, D, P, H>(gap, call.parameters)?;
+        if !has_multiplier {
+            point.law = law::<E, D, P, H>(gap, call.parameters)?;
+        }
         if E::Tangential::ACTIVE {
             *sliding = slide::<E, D, P, H>(call, stage.x, number, &mut point)?;
         }
@@ -106,6 +119,20 @@ fn start<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         }
     }
     start
+}
+
+/// λ of the history or of the unknowns.
+#[inline(always)]
+fn multiplier<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    unknowns: &[f64],
+    history: Option<&[Cell<f64>]>,
+    number: usize,
+) -> f64 {
+    if E::MULTIPLIER {
+        return unknowns.get(number).copied().unwrap_or(0.0);
+    }
+    let entry = history.and_then(|history| history.get(E::HISTORY - 1));
+    entry.map_or(0.0, Cell::get)
 }
 
 /// N, N' and W of a closed point, where the law is defined and its values are numbers.

@@ -174,6 +174,8 @@ mod tests {
         fn row(&mut self, unknown: usize, row: &[f64], _: bool) {
             self.0[unknown][..row.len()].copy_from_slice(row);
         }
+        fn multiplier(&mut self, _: (usize, usize), _: f64) {}
+        fn coupling(&mut self, _: usize, _: usize, _: f64) {}
         fn report(&mut self, _: usize, _: &Report) {}
         fn energy(&mut self, _: f64) {}
     }

@@ -6,6 +6,7 @@
 use super::classify::{Point, classify, load_slave, orientation};
 use super::contraction::{Temporaries, contract};
 use super::element::Element;
+use super::enforcement;
 use super::friction::TangentialLaw;
 use super::placement::Placement;
 pub(super) use super::receiver::{Call, Failure, Receiver, Report, Summary};
@@ -20,6 +21,8 @@ pub struct Stage<'a, const D: usize, const P: usize, const H: usize> {
     pub x: &'a [[f64; D]],
     /// Reference positions of the slave nodes, for the reference measure.
     pub reference: &'a [[f64; D]],
+    /// Multipliers that are unknowns, one per point.
+    pub multipliers: &'a [f64],
     /// Rows s_A, s_A,i; zero on entry.
     pub rows: Rows<'a, P>,
     /// Scratch of the contraction.
@@ -66,13 +69,16 @@ pub fn evaluate<
         closed: 0,
     };
     let mut energy = 0.0;
+    if E::MULTIPLIER {
+        receiver.open(stage.x.len() * D + Q);
+    }
     for (number, (point, sliding)) in points.iter().zip(&slidings).enumerate() {
         let Some(point) = point else { continue };
         if point.status.rank() > summary.status.rank() {
             summary.status = point.status;
         }
         if point.status.is_closed() {
-            let first = summary.closed == 0;
+            let first = summary.closed == 0 && !E::MULTIPLIER;
             let again = Q > 1;
             energy += closed::<E, R, D, P, H>(
                 call,
@@ -84,11 +90,16 @@ pub fn evaluate<
             );
             summary.closed += 1;
         } else {
-            let report = report(point, sliding, &placement, 0.0, 0.0);
-            receiver.report(number, &report);
+            energy += unloaded::<E, R, D, P, H>(
+                call,
+                stage,
+                receiver,
+                &placement,
+                (number, point, sliding),
+            );
         }
     }
-    if summary.closed == 0 {
+    if summary.closed == 0 && !E::MULTIPLIER {
         receiver.open(stage.x.len() * D);
     }
     receiver.energy(energy);
@@ -114,16 +125,19 @@ fn evaluate_one<
         Err(status) => return Err(Failure { status, point: 0 }),
     };
     let placement = placement::<E, D, P, H>(call.parameters);
-    let mut energy = 0.0;
     let is_closed = point.status.is_closed();
-    if is_closed {
-        let pass = (0, true, false);
-        let point = (&point, &sliding);
-        energy = closed::<E, R, D, P, H>(call, stage, receiver, &placement, point, pass);
-    } else {
-        receiver.report(0, &report(&point, &sliding, &placement, 0.0, 0.0));
-        receiver.open(stage.x.len() * D);
+    if E::MULTIPLIER || !is_closed {
+        let multipliers = if E::MULTIPLIER { 1 } else { 0 };
+        receiver.open(stage.x.len() * D + multipliers);
     }
+    let energy = if is_closed {
+        let pass = (0, !E::MULTIPLIER, false);
+        let point = (&point, &sliding);
+        closed::<E, R, D, P, H>(call, stage, receiver, &placement, point, pass)
+    } else {
+        let point = (0, &point, &sliding);
+        unloaded::<E, R, D, P, H>(call, stage, receiver, &placement, point)
+    };
     receiver.energy(energy);
     Ok(Summary {
         status: point.status,
@@ -138,6 +152,25 @@ fn placement<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize
     E::LAYOUT
         .placement
         .map(|at| Placement::from_parameters(parameters.get(at..).unwrap_or(&[])))
+}
+
+/// Second pass of a point without load: its report, the residual of its multiplier. Returns its energy.
+#[inline(always)]
+fn unloaded<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>(
+    call: &Call<'_>,
+    stage: &mut Stage<'_, D, P, H>,
+    receiver: &mut R,
+    placement: &Option<Placement<D>>,
+    (number, point, state): (usize, &Point<D, P, H>, &Sliding<P>),
+) -> f64 {
+    receiver.report(number, &report(point, state, placement, 0.0, 0.0));
+    if !E::MULTIPLIER {
+        return 0.0;
+    }
+    let weight = weight::<E, D, P, H>(call, stage, number);
+    let place = (stage.x.len() + number, stage.x.len() * D + number);
+    let multiplier = (point.multiplier, point.law.slope);
+    enforcement::open(call, place, multiplier, weight, receiver)
 }
 
 /// Second pass of a closed point: law, residual, tangent. Returns its energy.
@@ -176,6 +209,10 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
         let point = (point, state);
         let pass = (number, &n, weight, first);
         tangent::<E, R, D, P, H>(call, stage, receiver, placement, point, pass);
+    }
+    if E::MULTIPLIER {
+        let place = (number, point, &n, weight);
+        enforcement::closed::<E, R, D, P, H>(call, stage, placement, state, place, receiver);
     }
     receiver.report(
         number,
@@ -319,6 +356,7 @@ fn report<const D: usize, const P: usize, const H: usize>(
         tangents: [[0.0; 3]; 2],
         anchor: [0.0; 2],
         path: state.path,
+        multiplier: enforcement::remembered(traction),
     };
     for (to, b) in report.tangents.iter_mut().zip(&point.vectors.b) {
         let b = match placement {

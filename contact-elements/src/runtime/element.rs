@@ -1,5 +1,6 @@
 //! The contract between the emitted code of an element and the driver.
 
+use super::enforcement::Enforcement;
 use super::friction::{Tangential, TangentialLaw};
 use super::shape::{Domain, NormalLaw, Traction};
 use super::tangential::{TangentialCoefficients, TangentialForce};
@@ -70,6 +71,8 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     const SIGNED: bool;
     /// True where the measure moves with the slave.
     const CURRENT: bool;
+    /// How the normal law holds the bodies apart.
+    const ENFORCEMENT: Enforcement;
     /// Slave nodes; 0: given in the call.
     const SLAVE_NODES: usize;
     /// Master nodes; 0: rigid.
@@ -83,18 +86,31 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     /// What parallel tangents mean: degenerate for a facet, not unique for two curves.
     const PARALLEL: Status;
 
-    /// Doubles of history per contact point: status and ζ; with friction the anchor and the slip path too.
-    const HISTORY: usize = if Self::Tangential::ACTIVE {
-        2 + 2 * P
-    } else {
-        1 + P
-    };
+    /// Doubles of history per contact point: status and ζ; with friction the anchor and the slip path too; a
+    /// multiplier of the history last.
+    const HISTORY: usize = 1
+        + P
+        + if Self::Tangential::ACTIVE { P + 1 } else { 0 }
+        + if Self::AUGMENTED { 1 } else { 0 };
+
+    /// True where the history carries a multiplier.
+    const AUGMENTED: bool = matches!(Self::ENFORCEMENT, Enforcement::Augmented);
+
+    /// True where the multipliers are unknowns.
+    const MULTIPLIER: bool = matches!(Self::ENFORCEMENT, Enforcement::Multiplier);
 
     /// Start of the projection where none is given.
     const START: [f64; 2] = if Self::TWO_CURVES {
         [Self::DOMAINS[0].centre()[0], Self::DOMAINS[1].centre()[0]]
     } else {
         Self::DOMAINS[0].centre()
+    };
+
+    /// Extents of the projected parameters.
+    const EXTENTS: [f64; 2] = if Self::TWO_CURVES {
+        [Self::DOMAINS[0].extent(0), Self::DOMAINS[1].extent(0)]
+    } else {
+        [Self::DOMAINS[0].extent(0), Self::DOMAINS[0].extent(1)]
     };
 
     /// [`Element::START`] as parameters.
@@ -109,11 +125,7 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     /// Extent of parameter i's domain; infinite where an end is missing.
     #[inline(always)]
     fn extent(i: usize) -> f64 {
-        if Self::TWO_CURVES {
-            Self::DOMAINS[i].extent(0)
-        } else {
-            Self::DOMAINS[0].extent(i)
-        }
+        Self::EXTENTS[i]
     }
 
     /// 0 inside the domain, else the feature beyond which the projection lies: 1 + edge or 5 + vertex;

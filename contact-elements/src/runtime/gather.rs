@@ -205,6 +205,23 @@ pub(super) fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const 
     Ok(origin)
 }
 
+/// The multipliers: first component of the displacement of the nodes from `first` on.
+#[inline(never)]
+pub(super) fn multipliers(
+    nodes: &Nodes<'_>,
+    first: usize,
+    to: &mut [f64],
+) -> Result<(), InputError> {
+    for (q, to) in to.iter_mut().enumerate() {
+        let [value] = nodes.displacement::<1>(first + q)?;
+        if !is_usable(value) {
+            return Err(InputError::Displacement(first + q));
+        }
+        *to = value;
+    }
+    Ok(())
+}
+
 /// A slave row need not sum to one (hierarchical shape functions): Σ N_A x_A − o differs from
 /// Σ N_A (x_A − o) by (Σ N_A − 1) o, which the node of the largest entry takes over. [eq:row-sum]
 #[inline(always)]

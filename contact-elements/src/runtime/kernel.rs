@@ -6,7 +6,7 @@ use super::contraction::Temporaries;
 use super::driver::{Call, Failure, Receiver, Stage, Summary, evaluate};
 use super::element::Element;
 use super::friction::TangentialLaw;
-use super::gather::{Nodes, gather, is_usable, shift_of_row};
+use super::gather::{Nodes, gather, is_usable, multipliers, shift_of_row};
 use super::tangential::TangentialRows;
 use super::values::{Rows, Status};
 use crate::arithmetic::abs;
@@ -20,7 +20,8 @@ pub enum InputError {
     Displacement(usize),
     /// Entry of the history.
     History(usize),
-    /// Entry of the history that no evaluation writes: no status, an anchor far outside, a negative path.
+    /// Entry of the history that no evaluation writes: no status, an anchor far outside, a negative path, a
+    /// multiplier that pulls.
     Impossible(usize),
     /// Entry of the slave row.
     SlaveRow(usize),
@@ -40,6 +41,12 @@ impl From<Failure> for InputError {
 /// An anchor is at most this many extents from the middle of a bounded domain.
 const FARTHEST: f64 = 1e3;
 
+/// Whether an anchor lies within [`FARTHEST`] extents of the middle of a bounded domain.
+#[inline(always)]
+pub(crate) fn can_be_anchor(value: f64, centre: f64, extent: f64) -> bool {
+    is_usable(value) && abs(value - centre) <= FARTHEST * extent
+}
+
 /// The number of a status.
 #[inline(always)]
 pub(crate) fn is_status(value: f64) -> bool {
@@ -47,7 +54,7 @@ pub(crate) fn is_status(value: f64) -> bool {
 }
 
 /// Finite numbers; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
-/// that is not negative.
+/// that is not negative; a multiplier that is not positive.
 #[inline(always)]
 fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     history: &[Cell<f64>],
@@ -57,7 +64,7 @@ fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: u
             return Err(InputError::History(index));
         }
     }
-    if !E::Tangential::ACTIVE {
+    if !E::Tangential::ACTIVE && !E::AUGMENTED {
         return Ok(());
     }
     for (index, value) in history.iter().enumerate() {
@@ -65,9 +72,10 @@ fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: u
         let possible = match index % E::HISTORY {
             0 => is_status(value),
             entry if entry <= P => true,
+            entry if E::AUGMENTED && entry == E::HISTORY - 1 => value <= 0.0,
             entry if entry <= 2 * P => {
                 let i = entry - 1 - P;
-                abs(value - E::centre()[i]) <= FARTHEST * E::extent(i)
+                can_be_anchor(value, E::centre()[i], E::extent(i))
             }
             _ => value >= 0.0,
         };
@@ -102,6 +110,10 @@ pub fn fixed<
     let mut reference = [[0.0; D]; N];
     let is_vector = |a: usize| vectors.get(a).copied().unwrap_or(false);
     gather::<E, D, P, H>(nodes, call.parameters, is_vector, &mut x, &mut reference)?;
+    let mut unknown = [0.0; Q];
+    if E::MULTIPLIER {
+        multipliers(nodes, N, &mut unknown)?;
+    }
     let mut s = [0.0; N];
     let mut ds = [[0.0; N]; P];
     let mut u = [[0.0; W]; D];
@@ -113,6 +125,7 @@ pub fn fixed<
     let mut stage = Stage {
         x: &x,
         reference: &reference,
+        multipliers: &unknown,
         rows: Rows {
             s: &mut s,
             ds: ds.each_mut().map(|row| row.as_mut_slice()),
@@ -171,7 +184,15 @@ pub fn interpolated<
             return Err(InputError::SlaveRow(index));
         }
     }
-    let n = nodes.count;
+    let mut unknown = [0.0; 1];
+    let n = if E::MULTIPLIER {
+        nodes.count.saturating_sub(1)
+    } else {
+        nodes.count
+    };
+    if E::MULTIPLIER {
+        multipliers(nodes, n, &mut unknown)?;
+    }
     let mut rest = memory
         .get_mut(..workspace(n, D, P, E::Tangential::ACTIVE))
         .ok_or(InputError::Workspace)?;
@@ -218,6 +239,7 @@ pub fn interpolated<
     let mut stage = Stage {
         x,
         reference: &[],
+        multipliers: &unknown,
         rows: Rows { s, ds },
         temporaries: Temporaries { u, g, h, row },
         variation: &mut [],

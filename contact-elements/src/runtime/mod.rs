@@ -14,6 +14,7 @@ mod constrained;
 mod contraction;
 mod driver;
 mod element;
+mod enforcement;
 mod extent;
 mod friction;
 mod gather;
@@ -32,11 +33,12 @@ mod values;
 pub use contraction::{Temporaries, contract};
 pub use driver::{Stage, evaluate};
 pub use element::{Element, Layout, Search, can_divide};
+pub use enforcement::Enforcement;
 pub use friction::{Friction, Frictionless, Tangential, TangentialLaw};
 pub(crate) use gather::is_usable;
 pub use gather::{Coordinates, Nodes};
-pub(crate) use kernel::is_status;
 pub use kernel::{InputError, fixed, interpolated, workspace};
+pub(crate) use kernel::{can_be_anchor, is_status};
 pub use kinematics::{
     curve_to_curve, curve_to_curve_higher, curve_to_rigid, curve_to_rigid_higher, onto_point,
     onto_rigid, onto_rigid_higher, onto_shape, onto_shape_higher, slave_point, slave_tangents,

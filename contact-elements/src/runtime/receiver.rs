@@ -59,6 +59,8 @@ pub struct Report {
     pub anchor: [f64; 2],
     /// Slip path for the next step [length].
     pub path: f64,
+    /// Multiplier for the next step, where the history carries one.
+    pub multiplier: f64,
 }
 
 /// Takes the outputs of an evaluation: dense arrays, strided ones, a sparse matrix.
@@ -69,6 +71,10 @@ pub trait Receiver {
     fn force(&mut self, place: (usize, usize), value: f64, first: bool);
     /// Row `unknown` of the tangent; `first`: replaces, else adds.
     fn row(&mut self, unknown: usize, row: &[f64], first: bool);
+    /// Adds to the residual of a multiplier: its node and unknown.
+    fn multiplier(&mut self, place: (usize, usize), value: f64);
+    /// Adds to one entry of the tangent.
+    fn coupling(&mut self, row: usize, column: usize, value: f64);
     /// Outcome of point `point`.
     fn report(&mut self, point: usize, report: &Report);
     /// Contact energy of the element.

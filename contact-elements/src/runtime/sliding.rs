@@ -145,7 +145,27 @@ pub(super) fn residual<
     (n, weight): (&[f64; D], f64),
     receiver: &mut R,
 ) {
-    let (frame, tangential) = (&sliding.frame, &sliding.tangential);
+    tangential_force::<E, D, P, H>(
+        (stage, placement),
+        (point, &sliding.frame, &sliding.tangential),
+        (n, weight),
+        |place, value| receiver.force(place, value, false),
+    );
+}
+
+/// The entries of t_q Z_q. [eq:tangential-residual]
+#[inline(always)]
+pub(super) fn tangential_force<
+    E: Element<D, P, H>,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
+    (stage, placement): (&Stage<'_, D, P, H>, &Option<Placement<D>>),
+    (point, frame, tangential): (&Point<D, P, H>, &Frame<P>, &Tangential),
+    (n, weight): (&[f64; D], f64),
+    mut add: impl FnMut((usize, usize), f64),
+) {
     let mut force = E::tangential_force(&point.vectors, &point.gap, frame, tangential);
     if let Some(placement) = placement {
         force.force = placement.vector_to_global(&force.force);
@@ -158,8 +178,7 @@ pub(super) fn residual<
             }
         }
         for k in 0..D {
-            let value = weight * (s * force.force[k] + turn * n[k]);
-            receiver.force((a, k), value, false);
+            add((a, k), weight * (s * force.force[k] + turn * n[k]));
         }
     }
 }

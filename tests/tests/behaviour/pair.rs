@@ -93,7 +93,7 @@ impl Pair {
     /// The state at reference positions `x` and displacements `u`.
     pub fn moved(&self, x: &[f64], u: &[f64]) -> State {
         let element = self.element;
-        let unknowns = x.len();
+        let unknowns = element.unknowns(x.len() / element.dimension);
         let optional = |offered: bool, size: usize| vec![0.0; if offered { size } else { 0 }];
         let mut tangent = optional(element.tangent, unknowns * unknowns);
         let mut energy = optional(element.energy, 1);
@@ -154,6 +154,7 @@ impl State {
         Point {
             status: match output[0] {
                 0.0 => Status::Open,
+                1.0 => Status::Closed,
                 2.0 => Status::Stick,
                 3.0 => Status::Slip,
                 4.0 => Status::Outside,

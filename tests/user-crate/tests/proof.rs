@@ -12,6 +12,7 @@ use contact_verify::oracle::geometry::{
 };
 use contact_verify::oracle::law::{Activity, DeclaredLaw, Law};
 use contact_verify::oracle::number::Number;
+use contact_verify::oracle::multiplier::Multipliers;
 use contact_verify::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Row, Slave};
 use contact_verify::oracle::tangential::{DeclaredTangential, Tangential, TangentialLaw};
 use contact_verify::subject::Subject;
@@ -158,6 +159,7 @@ fn subject(name: &str, slave: Slave, master: Master, law: Law, geometry: &[f64])
             r0: 0.0,
             law,
             tangential: None,
+            multipliers: Multipliers::None,
         },
         law_parameters: SOFTENED.to_vec(),
         tangential_parameters: WORN.to_vec(),

@@ -3,7 +3,7 @@
 //! A [`Generator`] turns a template [`Pair`] into reproducible random [`Configuration`]s: state
 //! `index` of seed `seed` is always the same, whatever was generated before. The flow of one
 //! attempt: [`recipe`] draws the numbers of the pair, [`build`] sets the geometries so that the
-//! wanted status should hold, [`motion`] moves, turns and scales everything, [`friction`] adds what the
+//! wanted status should hold, [`motion`] moves, turns and scales everything, [`multipliers`] and [`friction`] add what the
 //! points remember, and the oracle's own projection confirms status and conditioning; otherwise the attempt is repeated.
 //! [`edge_cases`] lists the states where elements tend to fail, with what must come out.
 
@@ -12,6 +12,7 @@ pub mod edge_cases;
 pub mod flat;
 pub mod friction;
 pub mod motion;
+pub mod multipliers;
 pub mod random;
 pub mod recipe;
 
@@ -176,6 +177,8 @@ impl Generator {
         let built = build::build(&recipe, wanted, stream)?;
         let mut moved = motion::apply(&recipe, built, &self.freedom, stream);
         moved.start = starts(&moved, stream)?;
+        moved.points = solve::reports(&moved.pair, &moved.state()).ok()?;
+        multipliers::equip(&mut moved, wanted, stream)?;
         moved.points = solve::reports(&moved.pair, &moved.state()).ok()?;
         friction::equip(&mut moved, wanted, &self.freedom, stream)?;
         (accepted(&moved.points, wanted) && is_deep(&moved)).then_some(moved)

@@ -1,6 +1,7 @@
 //! Relative position, tangents, normal and gap of one contact point, over any number.
 
 use super::geometry::MAX_NODES;
+use super::multiplier::Enforced;
 use super::number::{Base, Number};
 use super::pair::{GapKind, Master, Measure, Pair, Slave};
 use super::vector::{constant, cross, dot, neg, norm, scale, sub};
@@ -39,6 +40,8 @@ pub struct Relative<D> {
 pub struct Frame<'a> {
     /// The pair.
     pub pair: &'a Pair,
+    /// Its normal law with the point's multiplier.
+    pub enforced: Enforced<'a>,
     /// Weight of the point times its measure; for [`Measure::Current`] the bare weight.
     pub weight: f64,
     /// Current positions relative to the local origin.
@@ -62,6 +65,7 @@ impl<'a> Frame<'a> {
         };
         let mut frame = Self {
             pair,
+            enforced: pair.enforced(q),
             weight: 1.0,
             nodes: zero,
             parameters: pair.parameters(),

@@ -1,7 +1,7 @@
 //! The oracle: truth by dual numbers, slowly but without any typed derivative.
 //!
 //! Read in this order: [`geometry`] (positions as functions of parameters), [`law`] (energy as a
-//! function of the gap), [`tangential`] (traction as a function of slip, pressure and path), [`pair`]
+//! function of the gap), [`multiplier`] (what a multiplier adds to it), [`tangential`] (traction as a function of slip, pressure and path), [`pair`]
 //! (one contact problem as data), [`kinematics`] (relative
 //! position, tangents, normal, gap), [`projection`] (closest point in doubles), [`solve`]
 //! (energy, residual and tangent from dual sweeps).
@@ -13,6 +13,7 @@
 //! ```
 //! use contact_verify::oracle::geometry::{Interpolation, Shape};
 //! use contact_verify::oracle::law::Law;
+//! use contact_verify::oracle::multiplier::Multipliers;
 //! use contact_verify::oracle::pair::{GapKind, Master, Pair, Slave};
 //! use contact_verify::oracle::solve::{self, Start, State};
 //!
@@ -25,6 +26,7 @@
 //!     r0: 0.0,
 //!     law: Law::Penalty { eps_n: 1000.0 },
 //!     tangential: None,
+//!     multipliers: Multipliers::None,
 //! };
 //! let x = [
 //!     0.2, -0.1, -0.05, // slave point, 0.05 below the facet
@@ -45,6 +47,7 @@ pub mod error;
 pub mod geometry;
 pub mod kinematics;
 pub mod law;
+pub mod multiplier;
 pub mod number;
 pub mod pair;
 pub mod projection;

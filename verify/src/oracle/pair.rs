@@ -5,6 +5,7 @@ use super::geometry::{
     Interpolation, MAX_NODES, Placement, Region, RigidDistance, RigidParametric,
 };
 use super::law::Law;
+use super::multiplier::{Enforced, Multipliers};
 use super::tangential::Tangential;
 
 /// An integration point of a slave.
@@ -116,6 +117,8 @@ pub struct Pair {
     pub law: Law,
     /// Tangential law; none: frictionless.
     pub tangential: Option<Tangential>,
+    /// Multipliers beside the normal law.
+    pub multipliers: Multipliers,
 }
 
 impl Pair {
@@ -137,7 +140,15 @@ impl Pair {
         }
     }
 
-    /// Number of unknowns.
+    /// The normal law of point `q` with its multiplier.
+    pub fn enforced(&self, q: usize) -> Enforced<'_> {
+        Enforced {
+            law: &self.law,
+            multiplier: self.multipliers.at(q),
+        }
+    }
+
+    /// Number of unknowns; multipliers are not counted.
     pub fn unknowns(&self) -> usize {
         self.dimension * (self.slave_nodes() + self.master_nodes())
     }

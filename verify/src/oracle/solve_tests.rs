@@ -3,6 +3,7 @@
 use crate::configurations::{Configuration, Generator, Stream, Wanted};
 use crate::oracle::geometry::{Interpolation, Placement, Shape};
 use crate::oracle::law::Law;
+use crate::oracle::multiplier::Multipliers;
 use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Slave};
 use crate::oracle::solve::{self, PointSolution, Seed, Start, State, solve_point};
 
@@ -42,6 +43,7 @@ fn deformable() -> Vec<Pair> {
         r0: 0.0,
         law: law.clone(),
         tangential: None,
+        multipliers: Multipliers::None,
     };
     list.map(pair).to_vec()
 }
@@ -200,6 +202,7 @@ fn swapping_slave_and_master_curve_changes_nothing() {
         r0: 0.0,
         law: law.clone(),
         tangential: None,
+        multipliers: Multipliers::None,
     };
     let configuration = closed(make(Shape::Line3, Shape::Line2), 0);
     let mut swapped = make(Shape::Line2, Shape::Line3);

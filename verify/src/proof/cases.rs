@@ -4,6 +4,7 @@ use serde::Deserialize;
 
 use crate::oracle::geometry::{Interpolation, Shape};
 use crate::oracle::law::Law;
+use crate::oracle::multiplier::Multipliers;
 use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Slave};
 use crate::oracle::solve::{Accepted, FrictionHistory};
 use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
@@ -163,6 +164,7 @@ impl Case {
                 Some(_) => Some(self.law.tangential()?),
                 None => None,
             },
+            multipliers: Multipliers::None,
         };
         if self.dim == pair.parameters() + 1 && !self.id.contains("beams") {
             pair.gap = GapKind::Signed;

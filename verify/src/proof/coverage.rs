@@ -79,6 +79,7 @@ fn passed_barrier(finding: &mut Finding, subjects: &[Subject], seen: &mut Seen) 
             parameters: &[10.0, 0.2, 0.0, 1.0],
             history: &[0.0; 3],
             slave_row: &[],
+            multipliers: &[],
         },
         Wanted::BOTH,
     );
@@ -106,6 +107,7 @@ fn far_start(finding: &mut Finding, subjects: &[Subject], seen: &mut Seen) {
             parameters: &parameters,
             history: &[0.0, 6000.0],
             slave_row: &[],
+            multipliers: &[],
         },
         Wanted::BOTH,
     );

@@ -78,8 +78,9 @@ fn one(finding: &mut Finding, seen: &mut Seen, subject: &Subject, case: &EdgeCas
             reference: &case.positions,
             displacement: &zeros,
             parameters: &subject.parameters(&case.pair),
-            history: &subject.history(&case.start, &case.friction),
+            history: &subject.history(&case.start, &case.friction, &case.pair.multipliers),
             slave_row: &subject.slave_row(&case.pair),
+            multipliers: &[],
         },
         Wanted::BOTH,
     );

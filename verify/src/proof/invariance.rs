@@ -6,6 +6,7 @@ use super::{Finding, Worst, random, units};
 use crate::configurations::{Configuration, Stream, Wanted};
 use crate::oracle::geometry::Placement;
 use crate::oracle::pair::{Master, Pair};
+use crate::oracle::solve::Couplings;
 use crate::subject::{self, Answer, Subject};
 use crate::tolerance::{BALANCE, MOTION, SYMMETRY, UNITS, relative_error};
 
@@ -66,7 +67,8 @@ fn symmetry(result: &mut Invariance, subject: &Subject, answer: &Answer, index: 
     let transposed: Vec<f64> = (0..n * n)
         .map(|at| answer.tangent[at % n * n + at / n])
         .collect();
-    let error = relative_error(&answer.tangent, &transposed);
+    let Couplings { rows, columns, .. } = &answer.couplings;
+    let error = relative_error(&answer.tangent, &transposed).max(relative_error(rows, columns));
     result.symmetry.absorb(error, index);
     result.finding.compare("symmetry", error, SYMMETRY);
 }
@@ -198,8 +200,24 @@ fn motion(
             &turn_tensor(&answer.tangent, n, &turn),
         ));
     }
+    let expected = turned_couplings(&answer.couplings, n, &turn);
+    error = error.max(random::couplings_error(&found.couplings, &expected));
     result.motion.absorb(error, index);
     result.finding.compare("rigid motion", error, MOTION);
+}
+
+/// What belongs to multipliers, turned: they are no vectors themselves.
+fn turned_couplings(
+    couplings: &Couplings,
+    n: usize,
+    turn: &impl Fn(&[f64]) -> Vec<f64>,
+) -> Couplings {
+    let all = |values: &[f64]| values.chunks_exact(n).flat_map(turn).collect();
+    Couplings {
+        columns: all(&couplings.columns),
+        rows: all(&couplings.rows),
+        ..couplings.clone()
+    }
 }
 
 /// Q K Qᵀ by turning rows, then columns.

@@ -5,6 +5,7 @@ use contact_elements::runtime::Status;
 
 use crate::configurations::Configuration;
 use crate::oracle::kinematics::Frame;
+use crate::oracle::multiplier::Multipliers;
 use crate::oracle::pair::{Measure, Slave};
 use crate::oracle::solve::{FrictionReport, PointReport, PointStatus};
 use crate::oracle::tangential::return_map::Regime;
@@ -79,7 +80,7 @@ pub(super) fn error(
         if status != Status::Outside {
             entries.extend(place(&frame, expected, found));
         }
-        entries.extend(remembered(&frame, expected, history));
+        entries.extend(remembered(&frame, expected, history, largest));
         for (found, expected, scale) in entries {
             let error = (found - expected).abs() / scale;
             worst = worst.max(if error.is_nan() { f64::INFINITY } else { error });
@@ -150,11 +151,29 @@ fn place(frame: &Frame<'_>, expected: &PointReport, found: &[f64]) -> Vec<Entry>
     entries
 }
 
-/// With friction the slip since the new anchor, as a vector,
-/// and the path, both zero where the point is not closed.
-fn remembered(frame: &Frame<'_>, expected: &PointReport, history: &[f64]) -> Vec<Entry> {
+/// With friction the slip since the new anchor, as a vector, and the path, both zero where the point is not
+/// closed; the multiplier that the history carries.
+fn remembered(
+    frame: &Frame<'_>,
+    expected: &PointReport,
+    history: &[f64],
+    largest: f64,
+) -> Vec<Entry> {
+    let mut entries = slid(frame, expected, history);
+    if let Multipliers::Held(_) = frame.pair.multipliers {
+        let found = history.last().copied().unwrap_or(f64::NAN);
+        entries.push(match expected.status {
+            PointStatus::Closed => (found, expected.force, largest),
+            _ => (found, 0.0, 1.0),
+        });
+    }
+    entries
+}
+
+/// Slip and path.
+fn slid(frame: &Frame<'_>, expected: &PointReport, history: &[f64]) -> Vec<Entry> {
     let p = frame.parameters;
-    if history.len() == 1 + p {
+    if frame.pair.tangential.is_none() {
         return vec![];
     }
     let pair = |from: usize| [0, 1].map(|i| if i < p { history[from + i] } else { 0.0 });

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::{Finding, Worst, points};
 use crate::configurations::{Configuration, Freedom, GenerateError, Generator, Stream, Wanted};
-use crate::oracle::solve::{self, Evaluation, PointStatus};
+use crate::oracle::solve::{self, Couplings, Evaluation, PointStatus};
 use crate::subject::{self, Answer, Input, Subject};
 use crate::tolerance::{ENERGY, POINTS, RANDOM, relative_error};
 
@@ -126,6 +126,7 @@ pub fn call(subject: &Subject, configuration: &Configuration, wanted: subject::W
             parameters: &subject.parameters(&configuration.pair),
             history: &subject.history_of(configuration),
             slave_row: &subject.slave_row(&configuration.pair),
+            multipliers: configuration.pair.multipliers.unknowns(),
         },
         wanted,
     )
@@ -165,7 +166,7 @@ fn open(
     index: u64,
 ) {
     let compared = match not_closed(answer, &[Status::Open, Status::Outside]) {
-        None => points::error(subject, configuration, &configuration.points, answer),
+        None => unloaded_error(subject, configuration, answer),
         Some(wrong) => Err(wrong),
     };
     match compared {
@@ -176,6 +177,28 @@ fn open(
         }
         Err(wrong) => random.finding.fail(format!("state {index}: {wrong}")),
     }
+}
+
+/// Error of points and multipliers at a state without a closed point.
+fn unloaded_error(
+    subject: &Subject,
+    configuration: &Configuration,
+    answer: &Answer,
+) -> Result<f64, String> {
+    let points = points::error(subject, configuration, &configuration.points, answer)?;
+    let truth = truth(configuration, &[]).map_err(|error| error.to_string())?;
+    let energy = energy_error(subject, answer, &truth) * (POINTS / ENERGY);
+    Ok(points
+        .max(energy)
+        .max(couplings_error(&answer.couplings, &truth.couplings)))
+}
+
+/// Largest error of the parts that belong to multipliers, each relative to its own largest entry.
+pub(super) fn couplings_error(found: &Couplings, expected: &Couplings) -> f64 {
+    let parts = found.parts().into_iter().zip(expected.parts());
+    parts
+        .map(|(found, expected)| relative_error(found, expected))
+        .fold(0.0, f64::max)
 }
 
 fn closed(
@@ -217,7 +240,8 @@ fn closed(
     random.residual.absorb(residual, index);
     let energy = energy_error(subject, answer, &truth);
     random.energy.absorb(energy, index);
-    let tangent = tangent_error(subject, answer, &truth, &directions);
+    let tangent = tangent_error(subject, answer, &truth, &directions)
+        .max(couplings_error(&answer.couplings, &truth.couplings));
     random.tangent.absorb(tangent, index);
     let worst = residual
         .max(tangent)
@@ -255,7 +279,17 @@ fn energy_error(subject: &Subject, answer: &Answer, truth: &Evaluation) -> f64 {
     if !subject.description.descriptor.energy || truth.energy.is_nan() {
         return 0.0;
     }
-    relative_error(&answer.energy, &[truth.energy])
+    relative_energy(&answer.energy, truth.energy, truth.energy_size)
+}
+
+/// Error of an energy relative to the magnitudes that it is made of.
+pub(super) fn relative_energy(found: &[f64], expected: f64, size: f64) -> f64 {
+    let error = relative_error(found, &[expected]);
+    if error == 0.0 {
+        0.0
+    } else {
+        error * (expected / size).abs()
+    }
 }
 
 /// Error of the tangent relative to its largest entry; or of its product with the directions, relative to the

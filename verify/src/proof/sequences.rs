@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::random;
 use super::{Finding, Worst, points};
 use crate::configurations::{Configuration, Generator, Stream, Wanted};
+use crate::oracle::multiplier::Multipliers;
 use crate::oracle::solve::{self, Accepted, Evaluation, FrictionHistory, PointReport, PointStatus};
 use crate::subject::{self, Answer, Input, Subject};
 use crate::tolerance::{SEQUENCES, relative_error};
@@ -66,6 +67,7 @@ fn sequence(
                 parameters: &parameters,
                 history: &history,
                 slave_row: &row,
+                multipliers: configuration.pair.multipliers.unknowns(),
             },
             subject::Wanted::BOTH,
         );
@@ -99,7 +101,8 @@ fn compare(
     let points = points::error(subject, configuration, &truth.points, answer)?;
     let residual = relative_error(&answer.residual, &truth.residual);
     let tangent = random::tangent_error(subject, answer, truth, &[]);
-    Ok(points.max(residual).max(tangent))
+    let couplings = random::couplings_error(&answer.couplings, &truth.couplings);
+    Ok(points.max(residual).max(tangent).max(couplings))
 }
 
 /// The oracle's own history of the step that was made.
@@ -113,6 +116,9 @@ fn accept(configuration: &mut Configuration, points: &[PointReport]) {
         },
     };
     configuration.friction = points.iter().map(history).collect();
+    if let Multipliers::Held(values) = &mut configuration.pair.multipliers {
+        *values = points.iter().map(|point| point.force).collect();
+    }
     configuration.start = points.iter().map(|point| point.zeta).collect();
 }
 

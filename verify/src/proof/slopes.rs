@@ -125,6 +125,7 @@ fn frictional_errors(
         parameters: &parameters,
         history: &history,
         slave_row: &[],
+        multipliers: configuration.pair.multipliers.unknowns(),
     };
     let answer = subject.call(&input, subject::Wanted::BOTH);
     answer.status().filter(|status| status.is_closed())?;
@@ -229,7 +230,11 @@ fn errors(
         .ok()?
         .gap_hessian();
     let parameters = subject.parameters(&configuration.pair);
-    let history = subject.history(std::slice::from_ref(&point.zeta), &[]);
+    let history = subject.history(
+        std::slice::from_ref(&point.zeta),
+        &[],
+        &configuration.pair.multipliers,
+    );
     let row = subject.slave_row(&configuration.pair);
     let input = Input {
         reference: &configuration.reference,
@@ -237,6 +242,7 @@ fn errors(
         parameters: &parameters,
         history: &history,
         slave_row: &row,
+        multipliers: configuration.pair.multipliers.unknowns(),
     };
     let answer = subject.call(&input, subject::Wanted::BOTH);
     answer.status().filter(|status| status.is_closed())?;

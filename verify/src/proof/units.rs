@@ -6,6 +6,7 @@ use contact_elements::program::{GeometryPrograms, MasterDescription};
 use contact_elements::runtime::Status;
 
 use crate::configurations::Configuration;
+use crate::oracle::multiplier::Multipliers;
 use crate::oracle::pair::{Measure, Pair, Slave};
 use crate::oracle::solve::FrictionHistory;
 use crate::subject::{Answer, Input, Subject, Wanted};
@@ -37,13 +38,22 @@ pub(super) fn error(
         })
     });
     let friction = remembered.collect::<Result<Vec<_>, String>>()?;
+    let held = match &configuration.pair.multipliers {
+        Multipliers::Held(values) => {
+            Multipliers::Held(tractions(subject, values, &metres, &millimetres))
+        }
+        other => other.clone(),
+    };
+    let unknown = configuration.pair.multipliers.unknowns();
+    let multipliers = tractions(subject, unknown, &metres, &millimetres);
     let found = subject.call(
         &Input {
             reference: &scaled(&configuration.reference),
             displacement: &scaled(&configuration.displacement),
             parameters: &millimetres,
-            history: &subject.history(&start, &friction),
+            history: &subject.history(&start, &friction, &held),
             slave_row: &subject.slave_row(&configuration.pair),
+            multipliers: &multipliers,
         },
         Wanted::BOTH,
     );
@@ -59,6 +69,20 @@ pub(super) fn error(
     } else {
         error.max(relative_error(&found.tangent, &tangent))
     })
+}
+
+/// Multipliers in millimetres: they have the unit of the law's traction.
+fn tractions(subject: &Subject, values: &[f64], metres: &[f64], millimetres: &[f64]) -> Vec<f64> {
+    let law = &subject.description.law.law;
+    let traction = |gap: f64, parameters: &[f64]| {
+        let own = parameters.iter().take(law.inputs.len() - 1);
+        let inputs: Vec<f64> = [gap].iter().chain(own).copied().collect();
+        let mut outputs = vec![0.0; law.outputs.len()];
+        (law.compiled)(&inputs, &mut outputs);
+        outputs[0]
+    };
+    let factor = traction(-UNIT, millimetres) / traction(-1.0, metres);
+    values.iter().map(|value| value * factor).collect()
 }
 
 /// The parameters in millimetres.

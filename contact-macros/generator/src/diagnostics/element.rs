@@ -211,6 +211,22 @@ pub fn measure_without_rule() -> Diagnostic {
     )
 }
 
+/// A multiplier beside a law that is no linear spring.
+pub fn enforcement_needs_spring(law: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("a multiplier needs a linear normal law beside it, but `{law}` is none"),
+        "write `normal: Penalty;`, or any N = eps*g with contact at g < 0 and without `valid`",
+    )
+}
+
+/// A multiplier whose weight moves.
+pub fn measure_of_multiplier() -> Diagnostic {
+    Diagnostic::new(
+        "`measure: current` is not offered with `enforcement: multiplier`",
+        "remove `measure`, or write `enforcement: augmented;`",
+    )
+}
+
 /// A linearisation of a tangent that is not wanted.
 pub fn tangent_plane_of_residual() -> Diagnostic {
     Diagnostic::new(

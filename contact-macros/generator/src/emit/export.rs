@@ -161,6 +161,13 @@ fn evaluations(prefix: &Ident) -> TokenStream {
             )),
         ),
         f(
+            "history_augment",
+            quote!(element: *const abi::Descriptor, trial: *const f64, accepted: *mut f64,
+                argument: *mut i32),
+            quote!(i32),
+            quote!(abi::history_augment(element, trial, accepted, argument)),
+        ),
+        f(
             "element_evaluate",
             quote!(element: *const abi::Descriptor, arguments: *mut abi::Arguments),
             quote!(i32),
@@ -261,6 +268,7 @@ fn table(prefix: &Ident) -> TokenStream {
         "argument_name",
         "element_message",
         "history_transfer",
+        "history_augment",
     ];
     let names = fields.iter().map(|name| format_ident!("{name}"));
     let values = fields.iter().map(|name| entry(name));
@@ -279,6 +287,7 @@ fn fortran(prefix: &Ident) -> TokenStream {
     let info = format_ident!("{}_f77_info_", prefix);
     let history = format_ident!("{}_f77_history_init_", prefix);
     let transfer = format_ident!("{}_f77_history_transfer_", prefix);
+    let augment = format_ident!("{}_f77_history_augment_", prefix);
     quote! {
         /// `CTE_F77_EVALUATE` of the C header for this library.
         #[unsafe(no_mangle)]
@@ -325,6 +334,17 @@ fn fortran(prefix: &Ident) -> TokenStream {
                     &ELEMENTS, (from, from_output, from_history), (to, to_output, to_history),
                     (argument, code),
                 )
+            }
+        }
+        /// `CTE_F77_HISTORY_AUGMENT` of the C header for this library.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn #augment(
+            element: *const i32, trial: *const f64, accepted: *mut f64, argument: *mut i32,
+            code: *mut i32,
+        ) {
+            // SAFETY: the caller keeps the promises of the C header.
+            unsafe {
+                abi::fortran::augment(&ELEMENTS, element, (trial, accepted), (argument, code))
             }
         }
     }

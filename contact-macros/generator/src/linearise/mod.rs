@@ -14,7 +14,7 @@
 //! | `law` | N, N', W of a normal law | [eq:law] |
 //! | `frame` | orthonormal frame and slip | [eq:frame] [eq:slip] |
 //! | `sliding` | stiffness, bound, return to the bound | [eq:trial] [eq:return-map] [eq:ellipse] |
-//! | `tangential` | residual and tangent of tangential contact | [eq:tangential-residual] [eq:tangential-tangent] |
+//! | `tangential` | residual and tangent of tangential contact | [eq:tangential-residual] [eq:tangential-tangent] [eq:via-surface] [eq:via-curve] |
 //! | `contact` | the contact point and its slip in that frame, for `tangential` | [eq:F] |
 //! | `row` | linear forms that `tangential` is written in | none |
 //! | `measure` | Jacobian of the slave and its variation | [eq:measure] |

@@ -5,22 +5,25 @@ use std::rc::Rc;
 use proc_macro2::Span;
 
 use super::law_entries::{WrittenAxis, check_parameters, check_tangential, normal, tangential};
+use super::numeric;
 use super::pair::{Side, check_pair, master, only_gap, plain, slave};
 use super::registry::Registry;
 use super::types::{
-    Axis, Element, Gap, Linearisation, Master, Measure, Slave, Tangential, TangentialLaw,
+    Axis, Element, Enforcement, Gap, Law, Linearisation, Master, Measure, Slave, Tangential,
+    TangentialLaw,
 };
 use crate::diagnostics::{Mistakes, element as messages, names};
 use crate::syntax::{self, ElementItem, Word};
 
 /// The entries of an element, in the order of the documentation.
-const ENTRIES: [&str; 10] = [
+const ENTRIES: [&str; 11] = [
     "dimension",
     "slave",
     "master",
     "normal",
     "tangential",
     "axis",
+    "enforcement",
     "gap",
     "linearisation",
     "measure",
@@ -58,9 +61,10 @@ pub(super) fn element(
     };
     check_parameters(master.as_ref(), law.as_ref(), tangential.as_ref(), mistakes);
     let axis = entries.axis(tangential.as_ref(), pair, mistakes);
+    let enforcement = entries.enforcement(law.as_ref(), mistakes);
     let gap = entries.gap(pair, mistakes);
     let linearisation = entries.linearisation(master.as_ref(), mistakes);
-    let measure = entries.measure(slave.as_ref(), mistakes);
+    let measure = entries.measure(slave.as_ref(), enforcement, mistakes);
     let residual_only = entries.outputs(linearisation.as_ref(), mistakes);
     if mistakes.count() > before || !item.complete {
         return None;
@@ -76,6 +80,7 @@ pub(super) fn element(
             law: law.what,
             axis,
         }),
+        enforcement: enforcement?,
         gap: gap?,
         linearisation: linearisation?.what,
         measure: measure?,
@@ -144,11 +149,11 @@ impl<'a> Entries<'a> {
         }
     }
 
-    /// One of two words, the first of which is the default; `None` after a mistake.
-    fn choice<T: Copy>(
+    /// One of some words, the first of which is the default; `None` after a mistake.
+    fn choice<T: Copy, const N: usize>(
         &self,
         key: &str,
-        choices: [(&str, T); 2],
+        choices: [(&str, T); N],
         mistakes: &mut Mistakes,
     ) -> Option<(T, Option<Span>)> {
         let Some(entry) = self.get(key) else {
@@ -191,6 +196,26 @@ impl<'a> Entries<'a> {
             mistakes.report(written.key, messages::axis_without_law());
         }
         written?.word.map(|(axis, _)| axis)
+    }
+
+    fn enforcement(
+        &self,
+        law: Option<&Side<Rc<Law>>>,
+        mistakes: &mut Mistakes,
+    ) -> Option<Enforcement> {
+        let choices = [
+            ("penalty", Enforcement::Penalty),
+            ("augmented", Enforcement::Augmented),
+            ("multiplier", Enforcement::Multiplier),
+        ];
+        let (chosen, span) = self.choice("enforcement", choices, mistakes)?;
+        if let (Some(span), Some(law), true) = (span, law, chosen != Enforcement::Penalty)
+            && !numeric::is_spring(&law.what)
+        {
+            let message = messages::enforcement_needs_spring(&law.what.name.to_string());
+            mistakes.report(span, message);
+        }
+        Some(chosen)
     }
 
     fn gap(&self, pair: Option<(usize, &Slave, &Master)>, mistakes: &mut Mistakes) -> Option<Gap> {
@@ -241,7 +266,12 @@ impl<'a> Entries<'a> {
         Some(Side { what, span })
     }
 
-    fn measure(&self, slave: Option<&Side<Slave>>, mistakes: &mut Mistakes) -> Option<Measure> {
+    fn measure(
+        &self,
+        slave: Option<&Side<Slave>>,
+        enforcement: Option<Enforcement>,
+        mistakes: &mut Mistakes,
+    ) -> Option<Measure> {
         let choices = [
             ("reference", Measure::Reference),
             ("current", Measure::Current),
@@ -251,6 +281,11 @@ impl<'a> Entries<'a> {
             && !slave.what.has_own_points()
         {
             mistakes.report(span, messages::measure_without_rule());
+        }
+        if let (Measure::Current, Some(span), Some(Enforcement::Multiplier)) =
+            (measure, span, enforcement)
+        {
+            mistakes.report(span, messages::measure_of_multiplier());
         }
         Some(measure)
     }

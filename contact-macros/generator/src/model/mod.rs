@@ -36,8 +36,8 @@ use std::rc::Rc;
 pub use expression::{BinaryOperator, Expr, Function};
 pub use parameter::{RESERVED, RESERVED_PREFIXES};
 pub use types::{
-    Axis, Body, Bound, ClosedProjection, Domain, Element, Gap, Geometry, Law, Linearisation,
-    Master, Measure, Model, Parameter, Rule, Slave, Tangential, TangentialLaw,
+    Axis, Body, Bound, ClosedProjection, Domain, Element, Enforcement, Gap, Geometry, Law,
+    Linearisation, Master, Measure, Model, Parameter, Rule, Slave, Tangential, TangentialLaw,
 };
 
 use crate::diagnostics::Mistakes;

@@ -126,6 +126,29 @@ pub(super) fn projection(rigid: &Geometry) -> Option<Diagnostic> {
     None
 }
 
+/// A linear spring: without contact at no gap, N proportional to g on both sides.
+pub(super) fn is_spring(law: &Law) -> bool {
+    let parameters = typical(&law.parameters);
+    let begins_at_zero = match &law.active {
+        Bound::Below(limit) => evaluate(limit, &parameters) == 0.0,
+        Bound::Above(_) => false,
+    };
+    let traction = |gap: f64| {
+        let mut values = parameters.clone();
+        let gap_name = std::slice::from_ref(&law.gap);
+        extend(&mut values, gap_name, &[gap], &law.bindings);
+        evaluate(&law.traction, &values)
+    };
+    let slope = traction(1.0);
+    let is_linear = |gap: f64| (traction(gap) - slope * gap).abs() <= 1e-12 * (slope * gap).abs();
+    begins_at_zero
+        && law.valid.is_none()
+        && slope > 0.0
+        && [-2.7, -1.3, -0.4, -0.01, 0.3, 1.9]
+            .into_iter()
+            .all(is_linear)
+}
+
 /// The traction is the derivative of the energy.
 pub(super) fn energy(declared: &Law) -> Option<Diagnostic> {
     let energy = declared.energy.as_ref()?;

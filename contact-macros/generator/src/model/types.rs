@@ -195,6 +195,8 @@ pub struct Element {
     pub law: Rc<Law>,
     /// Tangential law; none: frictionless.
     pub tangential: Option<Tangential>,
+    /// How the normal law holds the bodies apart.
+    pub enforcement: Enforcement,
     /// How the gap is measured.
     pub gap: Gap,
     /// Which linearisation of the gap the tangent uses.
@@ -253,6 +255,17 @@ pub enum Master {
         /// Whether a rigid motion given at run time applies to it.
         placed: bool,
     },
+}
+
+/// How the normal law holds the bodies apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Enforcement {
+    /// By itself.
+    Penalty,
+    /// Beside a multiplier that the history carries.
+    Augmented,
+    /// Beside a multiplier that is an unknown.
+    Multiplier,
 }
 
 /// How the gap is measured.

@@ -67,6 +67,7 @@ mod _element_pointpoint2d {
         const CURVED: [bool; 3] = [false, false, false];
         const SIGNED: bool = false;
         const CURRENT: bool = false;
+        const ENFORCEMENT: runtime::Enforcement = runtime::Enforcement::Penalty;
         const SLAVE_NODES: usize = 1usize;
         const MASTER_NODES: usize = 1usize;
         const SLAVE_AXIS: bool = false;
@@ -191,13 +192,15 @@ mod _element_pointpoint2d {
                     },
                 ],
                 friction: false,
+                enforcement: runtime::Enforcement::Penalty,
                 symmetric: true,
                 tangent: true,
-                energy: <<PointPoint2d as runtime::Element<
-                    2usize,
-                    0usize,
-                    0usize,
-                >>::Law as runtime::NormalLaw>::ENERGY,
+                energy: false
+                    || <<PointPoint2d as runtime::Element<
+                        2usize,
+                        0usize,
+                        0usize,
+                    >>::Law as runtime::NormalLaw>::ENERGY,
                 operations: 26usize,
                 formulation: 17957235695561432965u64,
                 vectors: &[false, false],
@@ -206,6 +209,11 @@ mod _element_pointpoint2d {
                     0usize,
                     0usize,
                 >>::START,
+                extents: <PointPoint2d as runtime::Element<
+                    2usize,
+                    0usize,
+                    0usize,
+                >>::EXTENTS,
                 kernel,
             };
             &DESCRIPTOR

@@ -7,6 +7,7 @@ mod surfaces;
 
 use crate::oracle::geometry::{Feature, Interpolation, Shape};
 use crate::oracle::law::Law;
+use crate::oracle::multiplier::Multipliers;
 use crate::oracle::pair::{GapKind, Master, Pair, Slave};
 use crate::oracle::solve::{FrictionHistory, Start, State};
 
@@ -81,6 +82,7 @@ fn pair(dimension: usize, slave: Slave, master: Master, gap: GapKind, r0: f64) -
         r0,
         law,
         tangential: None,
+        multipliers: Multipliers::None,
     }
 }
 

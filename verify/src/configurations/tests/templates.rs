@@ -6,6 +6,7 @@ use num_dual::DualNum;
 
 use crate::oracle::geometry::{Interpolation, Placement, RigidDistance, RigidParametric, Shape};
 use crate::oracle::law::{Activity, DeclaredLaw, Law};
+use crate::oracle::multiplier::Multipliers;
 use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Row, Slave};
 use crate::oracle::tangential::{Axis, DeclaredTangential, Tangential, TangentialLaw};
 
@@ -50,6 +51,7 @@ fn pair(dimension: usize, slave: Slave, master: Master, gap: GapKind) -> Pair {
         r0: 0.0,
         law,
         tangential: None,
+        multipliers: Multipliers::None,
     }
 }
 

@@ -2,12 +2,13 @@
 
 use num_dual::{Dual64, HyperDual64};
 
+use super::couplings;
 use super::friction::{Friction, FrictionHistory};
 use super::point::{HyperPoint, PointSolution, Seed, Sweep};
 use super::{Evaluation, PointReport, PointStatus, State, locate, validate};
 use crate::oracle::error::OracleError;
 use crate::oracle::kinematics::{Frame, Nodes};
-use crate::oracle::law::Law;
+use crate::oracle::multiplier::Enforced;
 use crate::oracle::pair::{Measure, Pair, Slave};
 
 /// What is wanted beside the residual.
@@ -66,10 +67,14 @@ pub fn reports(pair: &Pair, state: &State<'_>) -> Result<Vec<PointReport>, Oracl
 }
 
 fn energy_of(frame: &Frame<'_>, report: &PointReport) -> f64 {
+    if frame.pair.multipliers.are_unknown() {
+        let held = report.friction.map_or(0.0, |friction| friction.energy);
+        return frame.weight * (couplings::potential(frame, report) + held);
+    }
     if report.status != PointStatus::Closed {
         return 0.0;
     }
-    let energy = frame.pair.law.energy(HyperDual64::from_re(report.gap));
+    let energy = frame.enforced.energy(HyperDual64::from_re(report.gap));
     let measure: f64 = if moves(frame.pair) {
         frame.measure(&frame.nodes.slave)
     } else {
@@ -99,6 +104,7 @@ fn accumulate(
     let unknowns = pair.unknowns();
     let mut out = Evaluation {
         residual: vec![0.0; unknowns],
+        couplings: couplings::empty(pair),
         ..Evaluation::default()
     };
     match wanted {
@@ -108,12 +114,20 @@ fn accumulate(
     }
     for q in 0..pair.points() {
         let (frame, root, mut report) = locate(pair, state, q)?;
-        out.energy += energy_of(&frame, &report);
+        let energy = energy_of(&frame, &report);
+        out.energy += energy;
+        out.energy_size += energy.abs() + couplings::energy_size(&frame, &report);
         if let (PointStatus::Closed, Some(root)) = (report.status, root) {
             let point = PointSolution::new(frame, root, report);
             let contribution = Contribution::new(point, state.friction.get(q))?;
             report.weight = contribution.weight * contribution.measure;
             contribution.add(wanted, &mut out);
+            let Contribution {
+                point, friction, ..
+            } = &contribution;
+            couplings::closed(point, friction.as_ref(), q, &mut out.couplings);
+        } else {
+            couplings::open(&frame, &report, q, &mut out.couplings);
         }
         out.points.push(report);
     }
@@ -123,7 +137,7 @@ fn accumulate(
 /// A closed contact point about to be added.
 struct Contribution<'a> {
     point: PointSolution<'a>,
-    law: &'a Law,
+    law: Enforced<'a>,
     weight: f64,
     /// J (one unless the measure moves) and its gradient.
     measure: f64,
@@ -139,7 +153,7 @@ impl<'a> Contribution<'a> {
         history: Option<&FrictionHistory>,
     ) -> Result<Self, OracleError> {
         let pair = point.frame.pair;
-        let law = &pair.law;
+        let law = point.frame.enforced;
         let has_energy = law.energy(HyperDual64::from_re(point.report.gap)).is_some();
         let (measure, measure_gradient) = moving_measure(&point.frame);
         let from_energy = has_energy && !moves(pair);

@@ -84,12 +84,14 @@ fn axes(
     Some([first, cross(normal, first)])
 }
 
-/// The loading of a point with its derivative; nothing without axes.
+/// The loading of a point with its derivative; nothing without axes. `multiplier_slope`: derivative of the
+/// multiplier.
 fn loading(
     frame: &Frame<'_>,
     nodes: &Nodes<Dual64>,
     zeta: [Dual64; 2],
     history: &FrictionHistory,
+    multiplier_slope: f64,
 ) -> Option<Loading> {
     let tangential = frame.pair.tangential.as_ref()?;
     let relative = frame.relative(nodes, zeta);
@@ -103,7 +105,8 @@ fn loading(
     Some(Loading {
         slip,
         axes: axes(frame, nodes, zeta, tangential.axis)?,
-        pressure: -frame.pair.law.force(frame.gap(&relative)),
+        pressure: -(frame.enforced.force(frame.gap(&relative))
+            + Dual64::new(0.0, multiplier_slope)),
         path: history.slip,
     })
 }
@@ -137,7 +140,7 @@ pub(super) fn judge(
         report.zeta.map(Dual64::from_re),
     );
     let history = remembered(history, report.zeta);
-    let Some(loading) = loading(frame, &nodes, zeta, &history) else {
+    let Some(loading) = loading(frame, &nodes, zeta, &history, 0.0) else {
         report.status = PointStatus::Degenerate;
         return;
     };
@@ -190,6 +193,8 @@ pub(super) struct Friction {
     gradient: Vec<[f64; 2]>,
     /// The `dζ^i` of the residual, one entry per unknown.
     carrier: Vec<[f64; 2]>,
+    /// dT_i by the multiplier.
+    by_multiplier: [f64; 2],
 }
 
 impl Friction {
@@ -205,11 +210,13 @@ impl Friction {
         };
         let unknowns = point.zeta_gradient.len();
         let begins = history.is_none_or(|history| history.status == Accepted::Open);
-        let gradient = if begins {
-            vec![[0.0; 2]; unknowns] // the anchor moves with the point
+        let (gradient, by_multiplier) = if begins {
+            (vec![[0.0; 2]; unknowns], [0.0; 2]) // the anchor moves with the point
         } else {
             let history = remembered(history, point.root.z);
-            gradient(point, tangential, &history, report.regime).ok_or(OracleError::NoProjection)?
+            gradient(point, tangential, &history, report.regime)
+                .zip(by_multiplier(point, tangential, &history, report.regime))
+                .ok_or(OracleError::NoProjection)?
         };
         let carrier = if tangential.tangent_plane {
             on_tangent_plane(point)
@@ -220,6 +227,7 @@ impl Friction {
             covariant: report.covariant,
             gradient,
             carrier,
+            by_multiplier,
         }))
     }
 
@@ -241,6 +249,12 @@ impl Friction {
     /// dT_k along unknown `j`.
     pub(super) fn slope(&self, j: usize) -> [f64; 2] {
         self.gradient[j]
+    }
+
+    /// Derivative of the residual of unknown `i` by the multiplier.
+    pub(super) fn coupling(&self, i: usize) -> f64 {
+        let [t, dz] = [self.by_multiplier, self.carrier[i]];
+        t[0] * dz[0] + t[1] * dz[1]
     }
 
     /// dT_k along a direction.
@@ -268,7 +282,7 @@ fn gradient(
         let zeta = [0, 1].map(|k| Dual64::new(point.root.z[k], dz[k]));
         let traction = traction(
             &tangential.law,
-            &loading(frame, &nodes, zeta, history)?,
+            &loading(frame, &nodes, zeta, history, 0.0)?,
             regime,
         );
         let tangents = frame.relative(&nodes, zeta).tangents;
@@ -281,6 +295,22 @@ fn gradient(
         .enumerate()
         .map(&mut along)
         .collect()
+}
+
+/// dT_i by the multiplier, at fixed positions.
+fn by_multiplier(
+    point: &PointSolution<'_>,
+    tangential: &Tangential,
+    history: &FrictionHistory,
+    regime: Regime,
+) -> Option<[f64; 2]> {
+    let frame = &point.frame;
+    let nodes = Nodes::<Dual64>::lifted(&frame.nodes);
+    let zeta = point.root.z.map(Dual64::from_re);
+    let loading = loading(frame, &nodes, zeta, history, 1.0)?;
+    let traction = traction(&tangential.law, &loading, regime);
+    let tangents = frame.relative(&nodes, zeta).tangents;
+    Some(tangents.map(|b| dot(traction.vector, b).eps))
 }
 
 /// `-a^ij b_j·dr`: `dζ^i` as if the distance were zero.

@@ -10,6 +10,7 @@
 //! from the hyper-dual gap, and the tangent its derivative. Friction adds `Σ_q w_q J_q T_i dζ^i`.
 
 mod assemble;
+mod couplings;
 mod friction;
 mod point;
 
@@ -89,17 +90,41 @@ pub struct PointReport {
     pub friction: Option<FrictionReport>,
 }
 
+/// Derivatives of the potential by the multipliers, where those are unknowns.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Couplings {
+    /// R_λ, one entry per contact point.
+    pub residual: Vec<f64>,
+    /// ∂R/∂λ, for each contact point one entry per unknown.
+    pub columns: Vec<f64>,
+    /// ∂R_λ/∂x, in the same order.
+    pub rows: Vec<f64>,
+    /// ∂R_λ/∂λ by rows, points² entries.
+    pub block: Vec<f64>,
+}
+
+impl Couplings {
+    /// The four parts.
+    pub fn parts(&self) -> [&[f64]; 4] {
+        [&self.residual, &self.columns, &self.rows, &self.block]
+    }
+}
+
 /// Result for a pair.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Evaluation {
     /// `Σ w J W`, plus what the tangential springs hold; NaN if the law has no energy.
     pub energy: f64,
+    /// Sum of the magnitudes that the energy is made of; they may cancel where multipliers are unknowns.
+    pub energy_size: f64,
     /// R, one entry per unknown.
     pub residual: Vec<f64>,
     /// K by rows, `unknowns²` entries; empty if not asked for.
     pub tangent: Vec<f64>,
     /// K times each direction asked for.
     pub products: Vec<Vec<f64>>,
+    /// By the multipliers; empty where they are no unknowns.
+    pub couplings: Couplings,
     /// One per contact point.
     pub points: Vec<PointReport>,
 }
@@ -231,10 +256,10 @@ fn judge(
     }
     report.normal = normal;
     report.gap = frame.gap(&relative);
-    report.status = match pair.law.activity(report.gap) {
+    report.status = match frame.enforced.activity(report.gap) {
         Activity::Inactive => PointStatus::Open,
         Activity::Active => {
-            report.force = pair.law.force(Dual64::from_re(report.gap)).re;
+            report.force = frame.enforced.force(Dual64::from_re(report.gap)).re;
             PointStatus::Closed
         }
         Activity::Infeasible => return Err(OracleError::Infeasible { gap: report.gap }),

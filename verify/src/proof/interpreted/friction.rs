@@ -61,7 +61,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
 
     /// Anchor and path of the accepted history; none where the contact begins.
     fn accepted(&self, contact: &Contact<'_, D>) -> Option<(Vec<f64>, f64)> {
-        let size = 2 + 2 * P;
+        let size = self.subject.description.descriptor.point_history();
         let history = self.history.get(contact.number * size..);
         match history.and_then(|history| history.get(..size)) {
             Some(own) if own[0] >= 1.0 && own[0] <= 3.0 => {

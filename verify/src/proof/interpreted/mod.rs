@@ -8,7 +8,9 @@ mod rows;
 
 use contact_elements::abi::OUTPUT_SIZE;
 use contact_elements::program::{MasterDescription, Program};
-use contact_elements::runtime::{Coefficients, Placement, Receiver, Report, Temporaries, contract};
+use contact_elements::runtime::{
+    Coefficients, Enforcement, Placement, Receiver, Report, Temporaries, contract,
+};
 
 use crate::interpret::{Change, interpret};
 use crate::subject::{Answer, Input, Subject};
@@ -100,6 +102,7 @@ struct Assembly<'a, const D: usize, const P: usize> {
     parameters: &'a [f64],
     slave_row: &'a [f64],
     history: &'a [f64],
+    multipliers: &'a [f64],
     mutation: Option<Mutation>,
     /// Positions, in the frame of a placed geometry.
     x: Vec<[f64; D]>,
@@ -121,6 +124,9 @@ impl<const D: usize, const P: usize> Receiver for Assembly<'_, D, P> {
             *entry += value;
         }
     }
+    // the contraction calls neither
+    fn multiplier(&mut self, _: (usize, usize), _: f64) {}
+    fn coupling(&mut self, _: usize, _: usize, _: f64) {}
     fn report(&mut self, _: usize, _: &Report) {}
     fn energy(&mut self, energy: f64) {
         self.result.energy += energy;
@@ -155,6 +161,7 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             parameters: input.parameters,
             slave_row: input.slave_row,
             history: input.history,
+            multipliers: input.multipliers,
             mutation,
             x,
             global,
@@ -179,6 +186,7 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
                 self.closed(number, [output[4], output[5]], output[0] == 3.0);
             }
         }
+        self.constants();
         self.result
     }
 
@@ -196,7 +204,8 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
         let mut inputs = vec![gap];
         inputs.extend_from_slice(self.parameters);
         let law = interpret(law, &inputs, self.change(Place::Law));
-        let (traction, slope) = (law[0], law[1]);
+        let multiplier = self.multiplier_of(number);
+        let (traction, slope) = (law[0] + multiplier.unwrap_or(0.0), law[1]);
         let (weight, variation) = self.measure(&slopes, rule_weight);
         let normal = self.placement.vector_to_global(&n);
         for (a, &s) in point.s.iter().enumerate() {
@@ -204,7 +213,10 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
                 self.force((a, k), weight * traction * s * normal[k], false);
             }
         }
-        self.energy(weight * law.get(2).copied().unwrap_or(f64::NAN));
+        self.energy(match multiplier {
+            None => weight * law.get(2).copied().unwrap_or(f64::NAN),
+            Some(_) => weight * traction * traction / (2.0 * slope), // less what `constants` adds
+        });
         let coefficients = self.coefficients(&point, &n, distance, (traction, slope), weight);
         let moved: Vec<f64> = variation.iter().map(|v| v * traction).collect();
         self.contract(&point, &normal, &coefficients, &moved);
@@ -220,6 +232,33 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             variation: &variation,
         };
         self.tangential(&point, &contact);
+    }
+
+    /// The multiplier beside the law of a point, where there is one.
+    fn multiplier_of(&self, number: usize) -> Option<f64> {
+        let descriptor = self.subject.description.descriptor;
+        let size = descriptor.point_history();
+        match descriptor.enforcement {
+            Enforcement::Penalty => None,
+            Enforcement::Augmented => self.history.get((number + 1) * size - 1).copied(),
+            Enforcement::Multiplier => self.multipliers.get(number).copied(),
+        }
+    }
+
+    /// The constant energy of the multipliers that are unknowns.
+    fn constants(&mut self) {
+        if self.multipliers.is_empty() {
+            return;
+        }
+        for (number, multiplier) in self.multipliers.iter().enumerate() {
+            let (_, slopes, rule_weight) = self.slave(number);
+            let (weight, _) = self.measure(&slopes, rule_weight);
+            let law = &self.subject.description.law.law;
+            let mut inputs = vec![0.0];
+            inputs.extend_from_slice(self.parameters);
+            let slope = interpret(law, &inputs, self.change(Place::Law))[1];
+            self.result.energy -= weight * multiplier * multiplier / (2.0 * slope);
+        }
     }
 
     /// n, L, g in the frame of the geometry.

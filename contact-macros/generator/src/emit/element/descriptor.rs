@@ -9,7 +9,7 @@ use crate::emit::program::{Emitted, fnv};
 use crate::linearise::geometry;
 use crate::linearise::law::{bound_program, law_program};
 use crate::linearise::sliding::{friction_program, sliding_program};
-use crate::model::{Body, Measure, Slave};
+use crate::model::{Body, Enforcement, Measure, Slave};
 
 impl Facts<'_> {
     pub(super) fn descriptor(&self) -> TokenStream {
@@ -23,6 +23,8 @@ impl Facts<'_> {
         let friction = self.friction.is_some();
         let symmetric = self.element.measure == Measure::Reference && !friction;
         let has_tangent = self.tangent.is_some();
+        let enforcement = self.enforcement();
+        let has_multiplier = self.element.enforcement != Enforcement::Penalty;
         let operations = self.operations();
         let formulation = self.formulation();
         let interpolated = matches!(self.element.slave, Slave::Interpolated);
@@ -53,14 +55,17 @@ impl Facts<'_> {
                             projected: #p,
                             parameters: #parameters,
                             friction: #friction,
+                            enforcement: #enforcement,
                             symmetric: #symmetric,
                             tangent: #has_tangent,
-                            energy: <<#name as runtime::Element<#d, #p, #h>>::Law
-                                as runtime::NormalLaw>::ENERGY,
+                            energy: #has_multiplier
+                                || <<#name as runtime::Element<#d, #p, #h>>::Law
+                                    as runtime::NormalLaw>::ENERGY,
                             operations: #operations,
                             formulation: #formulation,
                             vectors: &[#(#flags),*],
                             centre: <#name as runtime::Element<#d, #p, #h>>::START,
+                            extents: <#name as runtime::Element<#d, #p, #h>>::EXTENTS,
                             kernel,
                         };
                     &DESCRIPTOR
@@ -155,6 +160,9 @@ impl Facts<'_> {
         }
         absorb(&format!("{:?} {:?}", self.points, self.vector_flags()));
         absorb(&self.parameters.layout().to_string());
+        if self.element.enforcement != Enforcement::Penalty {
+            absorb(&format!("{:?}", self.element.enforcement));
+        }
         fnv(&all)
     }
 }

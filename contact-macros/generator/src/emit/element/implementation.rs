@@ -7,7 +7,7 @@ use super::expressions::{law_path, tangential_law_path};
 use super::facts::Facts;
 use crate::emit::domain;
 use crate::linearise::geometry::periods;
-use crate::model::{Axis, Body, Gap, Master, Measure, Slave};
+use crate::model::{Axis, Body, Enforcement, Gap, Master, Measure, Slave};
 
 impl Facts<'_> {
     pub(super) fn implementation(&self) -> TokenStream {
@@ -32,6 +32,7 @@ impl Facts<'_> {
         let moving = self.kinematics.moving.iter().any(|&moving| moving);
         let signed = self.element.gap == Gap::Signed;
         let current = self.element.measure == Measure::Current;
+        let enforcement = self.enforcement();
         let (slave_nodes, master_nodes) = (self.slave_nodes, self.master_nodes);
         let domains = self.domains();
         let two_curves = self.projected_slave();
@@ -61,6 +62,7 @@ impl Facts<'_> {
                 const CURVED: [bool; 3] = [#(#curved),*];
                 const SIGNED: bool = #signed;
                 const CURRENT: bool = #current;
+                const ENFORCEMENT: runtime::Enforcement = #enforcement;
                 const SLAVE_NODES: usize = #slave_nodes;
                 const MASTER_NODES: usize = #master_nodes;
                 const SLAVE_AXIS: bool = #slave_axis;
@@ -70,6 +72,14 @@ impl Facts<'_> {
                 const PARALLEL: runtime::Status = #parallel;
                 #(#methods)*
             }
+        }
+    }
+
+    pub(super) fn enforcement(&self) -> TokenStream {
+        match self.element.enforcement {
+            Enforcement::Penalty => quote! { runtime::Enforcement::Penalty },
+            Enforcement::Augmented => quote! { runtime::Enforcement::Augmented },
+            Enforcement::Multiplier => quote! { runtime::Enforcement::Multiplier },
         }
     }
 

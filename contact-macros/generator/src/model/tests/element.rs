@@ -1,7 +1,7 @@
 //! Elements.
 
 use crate::diagnostics::testing::{accept, assert_mistake};
-use crate::model::{Linearisation, Master, Measure, Rule, Slave};
+use crate::model::{Enforcement, Linearisation, Master, Measure, Rule, Slave};
 
 #[test]
 fn entries_of_elements() {
@@ -19,7 +19,7 @@ fn entries_of_elements() {
         "element E { slave: point; master: Quad4; normal: Penalty; «damping: Viscous; }",
         "an element has no entry `damping`",
         "an element has the entries `dimension`, `slave`, `master`, `normal`, `tangential`, `axis`, \
-         `gap`, `linearisation`, `measure` and `outputs`",
+         `enforcement`, `gap`, `linearisation`, `measure` and `outputs`",
     );
     assert_mistake(
         "element E { slave: point; master: Quad4; «master: Tri3; normal: Penalty; }",
@@ -263,12 +263,52 @@ fn broken_items_are_no_further_mistake() {
 }
 
 #[test]
+fn enforcement() {
+    let element = |law: &str, rest: &str| {
+        format!("{law} element E {{ slave: Quad4 at gauss(2, 2); master: Quad4; {rest} }}")
+    };
+    assert_mistake(
+        &element("", "normal: Penalty; enforcement: «augmentd;"),
+        "`augmentd` is not a choice for `enforcement`",
+        "did you mean `augmented`?",
+    );
+    for law in [
+        "N = k*g*g;",
+        "N = k*g + 1;",
+        "N = k*g; active = g < k;",
+        "N = k*g; valid = g > -k;",
+        "N = -k*g;",
+    ] {
+        let law = format!("normal law Odd(g; k in (0, inf)) {{ {law} }}");
+        assert_mistake(
+            &element(&law, "normal: Odd; enforcement: «multiplier;"),
+            "a multiplier needs a linear normal law beside it, but `Odd` is none",
+            "write `normal: Penalty;`, or any N = eps*g with contact at g < 0 and without `valid`",
+        );
+    }
+    assert_mistake(
+        &element(
+            "",
+            "normal: Penalty; enforcement: multiplier; measure: «current;",
+        ),
+        "`measure: current` is not offered with `enforcement: multiplier`",
+        "remove `measure`, or write `enforcement: augmented;`",
+    );
+    let model = accept(&element(
+        "normal law Even(g; a in (0, inf), b in (0, inf)) { let c = a/b; N = 2*c*g; }",
+        "normal: Even; enforcement: augmented; measure: current;",
+    ));
+    assert_eq!(model.elements[0].enforcement, Enforcement::Augmented);
+}
+
+#[test]
 fn what_is_left_out() {
     let model = accept("element E { slave: point; master: Quad4; normal: Penalty; }");
     let element = &model.elements[0];
     assert_eq!((element.dimension, element.residual_only), (3, false));
     assert_eq!(element.linearisation, Linearisation::Exact);
     assert_eq!(element.measure, Measure::Reference);
+    assert_eq!(element.enforcement, Enforcement::Penalty);
     assert!(matches!(element.slave, Slave::Point));
     assert_eq!(element.law.name, "Penalty");
 }

@@ -1,0 +1,72 @@
+//! Multipliers of a state: at, above and below the traction of the law alone, on both sides of the gap.
+
+use super::random::Stream;
+use super::{Configuration, Wanted};
+use crate::oracle::multiplier::Multipliers;
+use crate::oracle::solve;
+
+/// Draws a multiplier for every contact point; nothing if the gaps cannot be found.
+pub fn equip(configuration: &mut Configuration, wanted: Wanted, stream: &mut Stream) -> Option<()> {
+    let unknown = match configuration.pair.multipliers {
+        Multipliers::None => return Some(()),
+        Multipliers::Held(_) => false,
+        Multipliers::Unknown(_) => true,
+    };
+    let opened = wanted.is_closed() && stream.index(3) == 0;
+    if opened {
+        // a positive gap that the multiplier closes nevertheless
+        let deepest = configuration
+            .points
+            .iter()
+            .map(|point| -point.gap)
+            .fold(0.0, f64::max);
+        configuration.pair.r0 -= deepest * stream.uniform(1.2, 2.0);
+    }
+    let law = &configuration.pair.law;
+    let alone: Vec<f64> = plain(configuration)?
+        .into_iter()
+        .map(|gap| law.force(gap.into()).re)
+        .collect();
+    let largest = alone.iter().fold(0.0_f64, |m, force| m.max(force.abs()));
+    let values = alone
+        .into_iter()
+        .map(|force| draw(force, largest, (wanted, unknown, opened), stream))
+        .collect();
+    configuration.pair.multipliers = if unknown {
+        Multipliers::Unknown(values)
+    } else {
+        Multipliers::Held(values)
+    };
+    Some(())
+}
+
+/// Gaps of the points, as far as they have one.
+fn plain(configuration: &Configuration) -> Option<Vec<f64>> {
+    let reports = solve::reports(&configuration.pair, &configuration.state()).ok()?;
+    Some(reports.iter().map(|point| point.gap).collect())
+}
+
+/// One multiplier beside a law that gives `force` alone. Never positive where it is held.
+fn draw(
+    force: f64,
+    largest: f64,
+    (wanted, unknown, opened): (Wanted, bool, bool),
+    stream: &mut Stream,
+) -> f64 {
+    if wanted == Wanted::Open {
+        let pulls = unknown && stream.sign() > 0.0;
+        return if pulls {
+            largest * stream.uniform(0.0, 2.0)
+        } else {
+            -force.max(0.0) * stream.uniform(0.0, 0.9)
+        };
+    }
+    if opened {
+        return -largest * stream.uniform(1.2, 3.0);
+    }
+    match stream.index(3) {
+        0 => 0.0,
+        1 if unknown => largest * stream.uniform(0.0, 0.8),
+        _ => -largest * stream.log_uniform(1e-3, 3.0),
+    }
+}

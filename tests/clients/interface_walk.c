@@ -13,13 +13,14 @@ static const uint32_t all_requests = CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY | 
                                      CTE_FREEZE_STATE | CTE_SYMMETRISE | CTE_PROJECTION_GIVEN;
 
 /* Entries per point: without friction status and projection; with friction, whose tangent has no symmetry, anchor
- * and slip path too. Else 0. */
+ * and slip path too, with rolling of two curves five more. Else 0. */
 static int history_of_point(const cte_info *info)
 {
   const int entries = info->history / info->points, plain = 1 + info->projected;
   if (entries == plain)
     return entries;
-  return entries == 2 * plain && info->projected > 0 && info->symmetric == 0 ? entries : 0;
+  const int rolls = info->projected == 2 && entries == 2 * plain + 5;
+  return (entries == 2 * plain || rolls) && info->projected > 0 && info->symmetric == 0 ? entries : 0;
 }
 
 /* The numbers of the description agree with each other. */

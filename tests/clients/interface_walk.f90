@@ -15,13 +15,14 @@ module interface_walk
 contains
 
   ! Entries per point: without friction status and projection; with friction, whose tangent has no symmetry,
-  ! anchor and slip path too. Else 0.
+  ! anchor and slip path too, with rolling of two curves five more. Else 0.
   pure function history_of_point(info) result(entries)
     type(cte_info), intent(in) :: info
     integer :: entries, plain
     entries = info%history/info%points
     plain = 1 + info%projected
     if (entries == plain) return
+    if (entries == 2*plain + 5 .and. info%projected == 2 .and. info%symmetric == 0) return
     if (entries /= 2*plain .or. info%projected == 0 .or. info%symmetric /= 0) entries = 0
   end function history_of_point
 

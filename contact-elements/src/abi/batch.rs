@@ -189,6 +189,7 @@ impl<'a> Checked<'a> {
             unknowns,
             projected: self.element.projected,
             friction: self.element.friction,
+            rolling: self.element.rolling,
             f: at(request::RESIDUAL, batch.f, self.f_stride),
             k: at(request::TANGENT, batch.k, self.k_stride),
             row_stride: unknowns,

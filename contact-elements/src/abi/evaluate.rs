@@ -335,6 +335,7 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
         unknowns,
         projected: element.projected,
         friction: element.friction,
+        rolling: element.rolling,
         f: if_wanted(request::RESIDUAL, arguments.f),
         k: if_wanted(request::TANGENT, arguments.k),
         row_stride,

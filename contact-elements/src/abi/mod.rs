@@ -37,7 +37,10 @@ use crate::runtime::{Call, InputError, Nodes, Summary};
 pub const VERSION: u32 = 1 << 16;
 
 /// Doubles of output per contact point.
-pub const OUTPUT_SIZE: usize = 19;
+pub const OUTPUT_SIZE: usize = 23;
+
+/// Doubles that rolling adds to the history of a contact point.
+pub(crate) const ROLLING_HISTORY: usize = 5;
 
 /// The compiled kernel of an element.
 pub type Kernel = fn(&Call<'_>, &Nodes<'_>, &mut [f64], &mut Target) -> Result<Summary, InputError>;
@@ -80,6 +83,8 @@ pub struct Descriptor {
     pub parameters: &'static [Parameter],
     /// True where the element has a tangential law.
     pub friction: bool,
+    /// True where it has moments about two curves.
+    pub rolling: bool,
     /// True where K is symmetric.
     pub symmetric: bool,
     /// True where the element offers a tangent.
@@ -100,10 +105,10 @@ pub struct Descriptor {
 
 impl Descriptor {
     /// Doubles of history of one contact point: status and projected parameters; with friction the anchor and
-    /// the slip path too.
+    /// the slip path too; with rolling the anchors and paths of both angles and the regime.
     pub fn point_history(&self) -> usize {
         if self.friction {
-            2 + 2 * self.projected
+            2 + 2 * self.projected + if self.rolling { ROLLING_HISTORY } else { 0 }
         } else {
             1 + self.projected
         }

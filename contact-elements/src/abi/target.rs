@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use super::OUTPUT_SIZE;
+use super::{OUTPUT_SIZE, ROLLING_HISTORY};
 use crate::runtime::{Receiver, Report};
 
 /// Outputs of one element. Null pointers are outputs that nobody asked for.
@@ -12,6 +12,8 @@ pub struct Target {
     pub(super) projected: usize,
     /// True where the history holds anchor and slip path.
     pub(super) friction: bool,
+    /// True where it also holds anchors, paths and regime of rolling.
+    pub(super) rolling: bool,
     pub(super) f: *mut f64,
     pub(super) k: *mut f64,
     pub(super) row_stride: usize,
@@ -91,10 +93,16 @@ impl Target {
         }
     }
 
-    /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too.
+    /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too; with
+    /// rolling the anchors and paths of both angles and the regime.
     fn new_history(&mut self, point: usize, report: &Report) {
         let p = self.projected;
-        let size = if self.friction { 2 + 2 * p } else { 1 + p };
+        let size = match (self.friction, self.rolling) {
+            (true, true) => 2 + 2 * p + ROLLING_HISTORY,
+            (true, false) => 2 + 2 * p,
+            (false, _) => 1 + p,
+        };
+        let rolling = &report.rolling;
         // SAFETY: the history has `size` entries per point.
         let entries = unsafe { core::slice::from_raw_parts(self.history.add(point * size), size) };
         let status = [f64::from(report.status as i32)];
@@ -104,7 +112,10 @@ impl Target {
             .iter()
             .chain(zeta)
             .chain(anchor)
-            .chain([&report.path]);
+            .chain([&report.path])
+            .chain(&rolling.anchor)
+            .chain(&rolling.path)
+            .chain([&rolling.regime]);
         for (entry, &value) in entries.iter().zip(values) {
             entry.set(value);
         }
@@ -210,6 +221,10 @@ impl Receiver for Target {
                 c[0],
                 c[1],
                 c[2],
+                report.rolling.angle[0],
+                report.rolling.angle[1],
+                report.rolling.moment[0],
+                report.rolling.moment[1],
             ];
             // SAFETY: output has OUTPUT_SIZE entries per point.
             unsafe {

@@ -3,9 +3,9 @@
 use super::describe::write;
 use super::safe::Outcome;
 use super::sizes::{Fault, reported};
-use super::{Descriptor, OUTPUT_SIZE, argument, code};
+use super::{Descriptor, OUTPUT_SIZE, ROLLING_HISTORY, argument, code};
 use crate::arithmetic::abs;
-use crate::runtime::{Status, TangentPlane, is_status, is_usable};
+use crate::runtime::{Status, TangentPlane, is_remembered, is_status, is_usable};
 
 /// Entries of the output that are read.
 const PROJECTION: usize = 4;
@@ -15,7 +15,7 @@ const TANGENTS: usize = 13;
 /// come from an evaluation of the accepted state anew.
 const APART: f64 = 1e-6;
 /// Most entries of a point's history.
-const ROOM: usize = 6;
+const ROOM: usize = 6 + ROLLING_HISTORY;
 
 /// One contact point of an element: its output, and its history that belongs to it.
 #[derive(Clone, Copy)]
@@ -72,6 +72,12 @@ impl<'a> Place<'a> {
         }
         if self.entry(1 + 2 * p) < 0.0 {
             return Err((code::HISTORY, history, 1 + 2 * p));
+        }
+        let rolling = self.history.iter().enumerate().skip(2 + 2 * p);
+        for (entry, &value) in rolling {
+            if !is_remembered(entry - 2 - 2 * p, value) {
+                return Err((code::HISTORY, history, entry));
+            }
         }
         for i in 0..p {
             let (own, projected) = (self.entry(1 + i), self.at(PROJECTION + i));
@@ -145,10 +151,11 @@ fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Faul
     let values = [from.entry(0)].into_iter().chain(projections);
     let values = values.chain(anchor.into_iter().take(p));
     let mut history = [0.0; ROOM];
-    for (entry, value) in history
-        .iter_mut()
-        .zip(values.chain([from.entry(1 + 2 * p)]))
-    {
+    // angles are about the curves: they go along as they are
+    let angles = if from.element.rolling { from } else { to };
+    let angles = (2 + 2 * p..ROOM).map(|entry| angles.entry(entry));
+    let values = values.chain([from.entry(1 + 2 * p)]).chain(angles);
+    for (entry, value) in history.iter_mut().zip(values) {
         *entry = value;
     }
     Ok(Some(history))
@@ -156,7 +163,8 @@ fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Faul
 
 /// Takes an elastic slip along when the projection passes from one element to its neighbour; output and history
 /// of one contact point each. `to_history` came, with `to_output`, from an evaluation of `to` with its initial
-/// history; anchor, status and slip path of the accepted point are put into it. On anything but
+/// history; anchor, status and slip path of the accepted point are put into it, and where both roll the angles
+/// with their paths. On anything but
 /// [`code::SUCCESS`] it is as it was, and the outcome names the argument and its entry.
 pub fn transfer(
     (from, from_output, from_history): (&Descriptor, &[f64], &[f64]),

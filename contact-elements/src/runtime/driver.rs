@@ -9,6 +9,7 @@ use super::element::Element;
 use super::friction::TangentialLaw;
 use super::placement::Placement;
 pub(super) use super::receiver::{Call, Failure, Receiver, Report, Summary};
+use super::rolling;
 use super::sliding::{self, Sliding};
 use super::tangential::TangentialRows;
 use super::values::{Coefficients, Rows, Status};
@@ -170,6 +171,10 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
         if E::Tangential::ACTIVE {
             let place = (&n, weight);
             sliding::residual::<E, R, D, P, H>(stage, placement, point, state, place, receiver);
+            if E::ROLLING.is_some() {
+                let state = (state, weight);
+                rolling::residual::<E, R, D, P, H>(call, stage, point, state, receiver);
+            }
         }
     }
     if call.wanted.tangent {
@@ -248,6 +253,9 @@ fn tangent<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, con
     if E::Tangential::ACTIVE && !joins {
         let place = (number, point, n, weight);
         sliding::tangent::<E, R, D, P, H>(call, stage, placement, state, place, receiver);
+        if E::ROLLING.is_some() {
+            rolling::tangent::<E, R, D, P, H>(call, stage, point, (state, weight), receiver);
+        }
     }
 }
 
@@ -319,6 +327,7 @@ fn report<const D: usize, const P: usize, const H: usize>(
         tangents: [[0.0; 3]; 2],
         anchor: [0.0; 2],
         path: state.path,
+        rolling: state.rolling,
     };
     for (to, b) in report.tangents.iter_mut().zip(&point.vectors.b) {
         let b = match placement {

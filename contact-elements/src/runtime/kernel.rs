@@ -7,6 +7,7 @@ use super::driver::{Call, Failure, Receiver, Stage, Summary, evaluate};
 use super::element::Element;
 use super::friction::TangentialLaw;
 use super::gather::{Nodes, gather, is_usable, shift_of_row};
+use super::rolling::is_remembered;
 use super::tangential::TangentialRows;
 use super::values::{Rows, Status};
 use crate::arithmetic::abs;
@@ -20,7 +21,8 @@ pub enum InputError {
     Displacement(usize),
     /// Entry of the history.
     History(usize),
-    /// Entry of the history that no evaluation writes: no status, an anchor far outside, a negative path.
+    /// Entry of the history that no evaluation writes: no status, an anchor far outside, a negative path, no regime
+    /// of rolling.
     Impossible(usize),
     /// Entry of the slave row.
     SlaveRow(usize),
@@ -47,7 +49,7 @@ pub(crate) fn is_status(value: f64) -> bool {
 }
 
 /// Finite numbers; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
-/// that is not negative.
+/// that is not negative; with rolling what [`is_remembered`] says.
 #[inline(always)]
 fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     history: &[Cell<f64>],
@@ -69,6 +71,7 @@ fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: u
                 let i = entry - 1 - P;
                 abs(value - E::centre()[i]) <= FARTHEST * E::extent(i)
             }
+            entry if entry >= 2 + 2 * P => is_remembered(entry - 2 - 2 * P, value),
             _ => value >= 0.0,
         };
         if !possible {

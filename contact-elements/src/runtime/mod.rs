@@ -23,6 +23,7 @@ mod lanes;
 mod placement;
 mod projection;
 mod receiver;
+mod rolling;
 mod shape;
 mod sliding;
 mod tangential;
@@ -32,19 +33,23 @@ mod values;
 pub use contraction::{Temporaries, contract};
 pub use driver::{Stage, evaluate};
 pub use element::{Element, Layout, Search, can_divide};
-pub use friction::{Friction, Frictionless, Tangential, TangentialLaw};
+pub use friction::{Friction, Frictionless, Tangential, TangentialLaw, return_map};
 pub(crate) use gather::is_usable;
 pub use gather::{Coordinates, Nodes};
 pub(crate) use kernel::is_status;
 pub use kernel::{InputError, fixed, interpolated, workspace};
 pub use kinematics::{
-    curve_to_curve, curve_to_curve_higher, curve_to_rigid, curve_to_rigid_higher, onto_point,
-    onto_rigid, onto_rigid_higher, onto_shape, onto_shape_higher, slave_point, slave_tangents,
-    spread_variation,
+    curve_to_curve, curve_to_curve_higher, curve_to_curve_third, curve_to_rigid,
+    curve_to_rigid_higher, onto_point, onto_rigid, onto_rigid_higher, onto_shape,
+    onto_shape_higher, slave_point, slave_tangents, spread_variation,
 };
 pub use placement::Placement;
 pub use projection::{Projected, project};
 pub use receiver::{Call, Failure, Receiver, Report, Summary, Wanted};
+pub(crate) use rolling::is_remembered;
+pub use rolling::{
+    Motion, Rolling, RollingAngles, RollingCoefficients, RollingForce, RollingLayout,
+};
 pub use shape::{Distance, Domain, NormalLaw, Rigid, Shape, Traction};
 pub use tangential::{
     Form, TangentialCoefficients, TangentialForce, TangentialRows, contract_tangential,

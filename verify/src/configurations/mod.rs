@@ -14,6 +14,7 @@ pub mod friction;
 pub mod motion;
 pub mod random;
 pub mod recipe;
+mod rolling;
 
 use std::fmt;
 

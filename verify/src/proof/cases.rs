@@ -5,6 +5,7 @@ use serde::Deserialize;
 use crate::oracle::geometry::{Interpolation, Shape};
 use crate::oracle::law::Law;
 use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Slave};
+use crate::oracle::rolling::RollingHistory;
 use crate::oracle::solve::{Accepted, FrictionHistory};
 use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
 
@@ -176,6 +177,7 @@ impl Case {
             status: Accepted::Stick,
             anchor: pad(&history.z_stick),
             slip: 0.0,
+            rolling: RollingHistory::default(),
         };
         self.history.iter().map(remembered).collect()
     }
@@ -233,6 +235,7 @@ impl LawData {
             law,
             axis,
             tangent_plane: false,
+            rolling: None,
         })
     }
 }

@@ -4,23 +4,27 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::law_entries::{WrittenAxis, check_parameters, check_tangential, normal, tangential};
+use super::law_entries::{WrittenAxis, check_parameters, check_tangential, normal, tangential_law};
 use super::pair::{Side, check_pair, master, only_gap, plain, slave};
 use super::registry::Registry;
+use super::rolling::check_reference;
 use super::types::{
-    Axis, Element, Gap, Linearisation, Master, Measure, Slave, Tangential, TangentialLaw,
+    Axis, Element, Gap, Linearisation, Master, Measure, Reference, Rolling, Slave, Tangential,
+    TangentialLaw,
 };
 use crate::diagnostics::{Mistakes, element as messages, names};
 use crate::syntax::{self, ElementItem, Word};
 
 /// The entries of an element, in the order of the documentation.
-const ENTRIES: [&str; 10] = [
+const ENTRIES: [&str; 12] = [
     "dimension",
     "slave",
     "master",
     "normal",
     "tangential",
     "axis",
+    "rolling",
+    "director",
     "gap",
     "linearisation",
     "measure",
@@ -47,7 +51,10 @@ pub(super) fn element(
         .and_then(|entry| normal(entry, registry, mistakes));
     let tangential = entries
         .get("tangential")
-        .and_then(|entry| tangential(entry, registry, mistakes));
+        .and_then(|entry| tangential_law(entry, "tangential", registry, mistakes));
+    let rolling = entries
+        .get("rolling")
+        .and_then(|entry| tangential_law(entry, "rolling", registry, mistakes));
     let pair = match (dimension, &slave, &master) {
         (Some(dimension), Some(slave), Some(master))
             if check_pair(dimension, slave, master, mistakes) =>
@@ -56,11 +63,15 @@ pub(super) fn element(
         }
         _ => None,
     };
-    check_parameters(master.as_ref(), law.as_ref(), tangential.as_ref(), mistakes);
+    let laws = [tangential.as_ref(), rolling.as_ref()];
+    check_parameters(master.as_ref(), law.as_ref(), laws, mistakes);
     let axis = entries.axis(tangential.as_ref(), pair, mistakes);
     let gap = entries.gap(pair, mistakes);
     let linearisation = entries.linearisation(master.as_ref(), mistakes);
     let measure = entries.measure(slave.as_ref(), mistakes);
+    let reference = entries.reference(rolling.as_ref(), pair, mistakes);
+    let choices = (gap, linearisation.as_ref().map(|chosen| chosen.what));
+    entries.check_rolling(rolling.as_ref(), choices, mistakes);
     let residual_only = entries.outputs(linearisation.as_ref(), mistakes);
     if mistakes.count() > before || !item.complete {
         return None;
@@ -76,6 +87,13 @@ pub(super) fn element(
             law: law.what,
             axis,
         }),
+        rolling: match rolling {
+            Some(law) => Some(Rolling {
+                law: law.what,
+                reference: reference?,
+            }),
+            None => None,
+        },
         gap: gap?,
         linearisation: linearisation?.what,
         measure: measure?,
@@ -191,6 +209,48 @@ impl<'a> Entries<'a> {
             mistakes.report(written.key, messages::axis_without_law());
         }
         written?.word.map(|(axis, _)| axis)
+    }
+
+    /// From where the angles are measured; `None` after a mistake.
+    fn reference(
+        &self,
+        law: Option<&Side<Rc<TangentialLaw>>>,
+        pair: Option<(usize, &Slave, &Master)>,
+        mistakes: &mut Mistakes,
+    ) -> Option<Reference> {
+        let choices = [
+            ("principal_normal", Reference::PrincipalNormal),
+            ("given", Reference::Director),
+        ];
+        let (reference, span) = self.choice("director", choices, mistakes)?;
+        match (law, span) {
+            (Some(law), _) => check_reference(law, reference, pair, mistakes),
+            (None, Some(span)) if self.get("rolling").is_none() && self.is_whole() => {
+                mistakes.report(span, messages::director_without_rolling());
+            }
+            _ => {}
+        }
+        Some(reference)
+    }
+
+    /// What a law of rolling needs of the other entries.
+    fn check_rolling(
+        &self,
+        law: Option<&Side<Rc<TangentialLaw>>>,
+        (gap, linearisation): (Option<Gap>, Option<Linearisation>),
+        mistakes: &mut Mistakes,
+    ) {
+        let Some(law) = law else { return };
+        let name = law.what.name.to_string();
+        if self.get("tangential").is_none() && self.is_whole() {
+            mistakes.report(law.span, messages::rolling_without_friction(&name));
+        }
+        if gap == Some(Gap::Signed) {
+            mistakes.report(law.span, messages::rolling_of_edges(&name));
+        }
+        if linearisation == Some(Linearisation::TangentPlane) {
+            mistakes.report(law.span, messages::rolling_on_tangent_plane(&name));
+        }
     }
 
     fn gap(&self, pair: Option<(usize, &Slave, &Master)>, mistakes: &mut Mistakes) -> Option<Gap> {

@@ -1,7 +1,7 @@
 //! Moments about two curves: from the history to moments, residual, tangent and new history.
 //!
 //! ```text
-//! M_c          = the law at φ_c − φ0_c, wrapped into (−π, π]
+//! M_c          = the law at φ_c − φ0_c, wrapped into (−π, π]                [eq:rolling-moment]
 //! R_(A,k)      = t^eff_q Z_q(A,k) + explicit(A,k)                            [eq:rolling-residual]
 //! K_(A,k)(B,l) = … + A(A,k) B(B,l) + B(A,k) A(B,l) for each pair             [eq:rolling-tangent]
 //! ```
@@ -220,6 +220,7 @@ fn accepted<const P: usize>(
 }
 
 /// First pass over a closed point: angles, moments, new anchors, and their share of what multiplies δζ̂.
+/// [eq:rolling-moment] [eq:rolling-history]
 #[inline(never)]
 pub(super) fn roll<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,

@@ -8,7 +8,7 @@
 //! ```text
 //! X_a = a·(Dv − (c/|u|) Du)/h ,   U_a = a·Du/|u| ,   a = f, g, τ
 //! Dψ  = X_g(r) − X_g(w)
-//! D²ψ = [X_f⊙X_g + X_τ⊙U_g + ½ U_f⊙U_g](w) − [the same](r) + p_r·D²r + p_u·D²u + p_w·D²w
+//! D²ψ = H(w) − H(r) + p_r·D²r + p_u·D²u + p_w·D²w ,   H = X_f⊙X_g + X_τ⊙U_g + ½ U_f⊙U_g
 //! ```
 //!
 //! A⊙B = A⊗B + B⊗A; p_r, p_u, p_w are the derivatives of ψ. What multiplies D²ζ joins the tangential force.

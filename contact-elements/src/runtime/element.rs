@@ -1,9 +1,8 @@
 //! The contract between the emitted code of an element and the driver.
 
 use super::friction::{Tangential, TangentialLaw};
-use super::rolling::{
-    self, Rolling, RollingAngles, RollingCoefficients, RollingForce, RollingLayout,
-};
+use super::motion::{RollingCoefficients, RollingForce};
+use super::rolling::{self, Rolling, RollingAngles, RollingLayout};
 use super::shape::{Domain, NormalLaw, Traction};
 use super::tangential::{TangentialCoefficients, TangentialForce};
 use super::values::{Coefficients, Frame, Gap, Measure, Rows, Status, Vectors};

@@ -20,6 +20,7 @@ mod gather;
 mod kernel;
 mod kinematics;
 mod lanes;
+mod motion;
 mod placement;
 mod projection;
 mod receiver;
@@ -43,13 +44,12 @@ pub use kinematics::{
     curve_to_rigid_higher, onto_point, onto_rigid, onto_rigid_higher, onto_shape,
     onto_shape_higher, slave_point, slave_tangents, spread_variation,
 };
+pub use motion::{Motion, RollingCoefficients, RollingForce};
 pub use placement::Placement;
 pub use projection::{Projected, project};
 pub use receiver::{Call, Failure, Receiver, Report, Summary, Wanted};
 pub(crate) use rolling::is_remembered;
-pub use rolling::{
-    Motion, Rolling, RollingAngles, RollingCoefficients, RollingForce, RollingLayout,
-};
+pub use rolling::{Rolling, RollingAngles, RollingLayout};
 pub use shape::{Distance, Domain, NormalLaw, Rigid, Shape, Traction};
 pub use tangential::{
     Form, TangentialCoefficients, TangentialForce, TangentialRows, contract_tangential,

@@ -13,9 +13,10 @@ use core::cell::Cell;
 use super::classify::Point;
 use super::driver::Stage;
 use super::element::Element;
+use super::motion::{MotionRows, RollingForce};
 use super::receiver::{Call, Receiver};
 use super::sliding::Sliding;
-use super::values::{Rows, Status};
+use super::values::Status;
 use crate::arithmetic::abs;
 
 /// Doubles that a point remembers: φ0_1, φ0_2, both paths, which curves roll.
@@ -67,115 +68,6 @@ pub struct Rolling {
     pub regime: f64,
 }
 
-/// A linear form over the unknowns of two curves.
-#[derive(Clone, Copy, Debug)]
-pub struct Motion<const D: usize, const P: usize> {
-    /// Multiplies s_A.
-    pub position: [f64; D],
-    /// Multiplies s_A,i.
-    pub turning: [[f64; D]; P],
-    /// Multiplies s_A,ii.
-    pub bending: [[f64; D]; P],
-    /// Multiplies s_A,iii.
-    pub third: [[f64; D]; P],
-}
-
-/// Coefficients of the residual of the moments.
-#[derive(Clone, Copy, Debug)]
-pub struct RollingForce<const D: usize, const P: usize> {
-    /// Added to t_q in what multiplies δζ̂^q.
-    pub share: [f64; 2],
-    /// The rest.
-    pub explicit: Motion<D, P>,
-}
-
-/// Coefficients of the tangent of the moments.
-#[derive(Clone, Copy, Debug)]
-pub struct RollingCoefficients<const D: usize, const P: usize> {
-    /// A, B of A⊗B + B⊗A.
-    pub symmetric: [[Motion<D, P>; 2]; 9],
-    /// A, B of A⊗B.
-    pub moment: [[Motion<D, P>; 2]; 2],
-}
-
-impl<const D: usize, const P: usize> Default for Motion<D, P> {
-    #[inline(always)]
-    fn default() -> Self {
-        Self {
-            position: [0.0; D],
-            turning: [[0.0; D]; P],
-            bending: [[0.0; D]; P],
-            third: [[0.0; D]; P],
-        }
-    }
-}
-
-impl<const D: usize, const P: usize> Default for RollingForce<D, P> {
-    #[inline(always)]
-    fn default() -> Self {
-        Self {
-            share: [0.0; 2],
-            explicit: Motion::default(),
-        }
-    }
-}
-
-impl<const D: usize, const P: usize> Default for RollingCoefficients<D, P> {
-    #[inline(always)]
-    fn default() -> Self {
-        Self {
-            symmetric: [[Motion::default(); 2]; 9],
-            moment: [[Motion::default(); 2]; 2],
-        }
-    }
-}
-
-/// The rows that a [`Motion`] multiplies.
-struct MotionRows<'a, const P: usize, const H: usize> {
-    rows: &'a Rows<'a, P>,
-    second: &'a [&'a mut [f64]; H],
-    third: &'a [&'a mut [f64]; P],
-}
-
-impl<const P: usize, const H: usize> MotionRows<'_, P, H> {
-    /// Entry (node, component) of a form.
-    #[inline(always)]
-    fn entry<const D: usize>(&self, form: &Motion<D, P>, (a, k): (usize, usize)) -> f64 {
-        let at = |row: &[f64]| row.get(a).copied().unwrap_or(0.0);
-        let mut sum = at(self.rows.s) * form.position[k];
-        for i in 0..P {
-            sum += at(self.rows.ds[i]) * form.turning[i][k] + at(self.third[i]) * form.third[i][k];
-            // 11 and 22 in the order 11, 12, 22
-            if let Some(second) = self.second.get(2 * i) {
-                sum += at(second) * form.bending[i][k];
-            }
-        }
-        sum
-    }
-}
-
-impl<const D: usize, const P: usize> Motion<D, P> {
-    /// self + factor·other
-    #[inline(always)]
-    fn add(&mut self, factor: f64, other: &Self) {
-        for k in 0..D {
-            self.position[k] += factor * other.position[k];
-            for i in 0..P {
-                self.turning[i][k] += factor * other.turning[i][k];
-                self.bending[i][k] += factor * other.bending[i][k];
-                self.third[i][k] += factor * other.third[i][k];
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn is_finite(&self) -> bool {
-        let rows = self.turning.iter().chain(&self.bending).chain(&self.third);
-        let mut entries = rows.chain([&self.position]).flatten();
-        entries.all(|&entry| abs(entry) <= f64::MAX)
-    }
-}
-
 /// Anchor, path and regime that an evaluation can have written; `entry` counts from the first of them.
 pub(crate) fn is_remembered(entry: usize, value: f64) -> bool {
     match entry {
@@ -198,16 +90,22 @@ fn wrapped(angle: f64) -> f64 {
     }
 }
 
-/// The entries of the accepted history: the anchors, both paths, the regime; none where contact begins.
+/// What the accepted history says.
+struct Accepted {
+    anchor: [f64; 2],
+    path: [f64; 2],
+    /// Where the history sticks or slips: whether each curve does.
+    forced: [Option<Status>; 2],
+}
+
+/// None where contact begins.
 #[inline(always)]
-fn accepted<const P: usize>(
-    history: Option<&[Cell<f64>]>,
-) -> Option<([f64; 2], [f64; 2], [Option<Status>; 2])> {
+fn accepted<const P: usize>(history: Option<&[Cell<f64>]>) -> Option<Accepted> {
     let history = history?;
     let at = |index: usize| history.get(index).map_or(0.0, Cell::get);
     let own = |entry: usize| at(2 + 2 * P + entry);
     let status = at(0);
-    if status < 1.0 || status > 3.0 {
+    if !(1.0..=3.0).contains(&status) {
         return None;
     }
     let rolled = own(4) as u8;
@@ -216,7 +114,25 @@ fn accepted<const P: usize>(
         2.0 | 3.0 => Some(Status::Stick),
         _ => None,
     };
-    Some(([own(0), own(1)], [own(2), own(3)], [forced(1), forced(2)]))
+    Some(Accepted {
+        anchor: [own(0), own(1)],
+        path: [own(2), own(3)],
+        forced: [forced(1), forced(2)],
+    })
+}
+
+impl RollingAngles {
+    /// Both reference directions stand across their curves, and the angles are numbers.
+    fn are_known<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+        &self,
+        layout: &RollingLayout,
+    ) -> bool {
+        (0..2).all(|c| {
+            let turn = self.bend[c] * E::extent(c.min(P.saturating_sub(1)));
+            let curved = layout.directors.is_some() || turn > LEAST_BEND;
+            curved && self.share[c] > LEAST_SHARE && abs(self.angle[c]) <= f64::MAX
+        })
+    }
 }
 
 /// First pass over a closed point: angles, moments, new anchors, and their share of what multiplies δζ̂.
@@ -236,19 +152,28 @@ pub(super) fn roll<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         .history
         .and_then(|history| history.get(number * E::HISTORY..));
     let angles = E::rolling_angles(&point.vectors, &point.gap, call.parameters);
+    if !angles.are_known::<E, D, P, H>(&layout) {
+        return Err(Status::Degenerate);
+    }
+    let remembered = accepted::<P>(history);
+    let begins = remembered.is_none();
+    let Accepted {
+        anchor,
+        path,
+        forced,
+    } = remembered.unwrap_or(Accepted {
+        anchor: angles.angle,
+        path: [0.0; 2],
+        forced: [None; 2],
+    });
+    let parameters = call.parameters.get(layout.law..).unwrap_or(&[]);
     let mut rolling = Rolling {
         angle: angles.angle,
+        anchor,
+        path,
         ..Rolling::default()
     };
-    let remembered = accepted::<P>(history);
-    let (anchor, path, forced) = remembered.unwrap_or((angles.angle, [0.0; 2], [None; 2]));
-    let parameters = call.parameters.get(layout.law..).unwrap_or(&[]);
     for (c, weight) in [1.0, 2.0].into_iter().enumerate() {
-        let straight = layout.directors.is_none()
-            && !(angles.bend[c] * E::extent(c.min(P.saturating_sub(1))) > LEAST_BEND);
-        if straight || !(angles.share[c] > LEAST_SHARE) || !(abs(angles.angle[c]) <= f64::MAX) {
-            return Err(Status::Degenerate);
-        }
         let moved = wrapped(angles.angle[c] - anchor[c]);
         let forced = forced[c].filter(|_| call.wanted.freeze);
         let pressure = -point.law.traction;
@@ -256,12 +181,7 @@ pub(super) fn roll<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         rolling.moment[c] = law.t[0];
         rolling.by_pressure[c] = law.h[0];
         // where contact begins the anchor moves with the point
-        rolling.stiffness[c] = if remembered.is_some() {
-            law.c[0][0]
-        } else {
-            0.0
-        };
-        (rolling.anchor[c], rolling.path[c]) = (anchor[c], path[c]);
+        rolling.stiffness[c] = if begins { 0.0 } else { law.c[0][0] };
         if status == Status::Slip {
             rolling.anchor[c] = wrapped(angles.angle[c] - law.elastic[0]);
             rolling.path[c] += abs(moved - law.elastic[0]);
@@ -270,15 +190,27 @@ pub(super) fn roll<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         sliding.tangential.energy += law.energy;
     }
     sliding.rolling = rolling;
+    share::<E, D, P, H>(call, x, point, sliding)
+}
+
+/// Adds the share of the moments to what multiplies δζ̂. [eq:rolling-share]
+fn share<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    call: &Call<'_>,
+    x: &[[f64; D]],
+    point: &Point<D, P, H>,
+    sliding: &mut Sliding<P>,
+) -> Result<(), Status> {
     let force = force::<E, D, P, H>(call, x, point, sliding, &mut no_rows());
+    let mut finite = force.explicit.is_finite();
     for (q, share) in force.share.into_iter().enumerate() {
-        let whole = sliding.tangential.t[q] + share;
-        if !(abs(whole) <= f64::MAX) || !force.explicit.is_finite() {
-            return Err(Status::Degenerate);
-        }
-        sliding.tangential.force[q] = whole;
+        sliding.tangential.force[q] = sliding.tangential.t[q] + share;
+        finite &= abs(sliding.tangential.force[q]) <= f64::MAX;
     }
-    Ok(())
+    if finite {
+        Ok(())
+    } else {
+        Err(Status::Degenerate)
+    }
 }
 
 #[inline(always)]
@@ -387,21 +319,5 @@ pub(super) fn tangent<
             *entry = rows.entry(&whole, (other / D, other % D));
         }
         receiver.row(unknown, row, false);
-    }
-}
-
-impl<const D: usize, const P: usize> RollingCoefficients<D, P> {
-    /// A row of K is itself a form: Σ A(unknown) B + B(unknown) A.
-    #[inline(always)]
-    fn row(&self, at: impl Fn(&Motion<D, P>) -> f64) -> Motion<D, P> {
-        let mut whole = Motion::default();
-        for [left, right] in &self.symmetric {
-            whole.add(at(left), right);
-            whole.add(at(right), left);
-        }
-        for [left, right] in &self.moment {
-            whole.add(at(left), right);
-        }
-        whole
     }
 }

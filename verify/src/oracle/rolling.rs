@@ -113,11 +113,11 @@ impl Rolling {
     }
 }
 
-/// The two curves of a pair with their nodes.
-fn curves<'a, D>(
-    frame: &'a Frame<'_>,
-    nodes: &'a Nodes<D>,
-) -> Option<[(&'a Interpolation, &'a [[D; 3]]); 2]> {
+/// A curve with its nodes.
+type Curve<'a, D> = (&'a Interpolation, &'a [[D; 3]]);
+
+/// The two curves of a pair.
+fn curves<'a, D>(frame: &'a Frame<'_>, nodes: &'a Nodes<D>) -> Option<[Curve<'a, D>; 2]> {
     match (&frame.pair.slave, &frame.pair.master) {
         (Slave::Curve(slave), Master::Shape(master)) => {
             Some([(slave, &nodes.slave[..]), (master, &nodes.master[..])])

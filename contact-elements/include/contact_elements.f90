@@ -65,9 +65,11 @@ module contact_elements
   integer(i4), parameter :: CTE_OUTPUT_STATUS = 0, CTE_OUTPUT_GAP = 1, CTE_OUTPUT_NORMAL_TRACTION = 2
   integer(i4), parameter :: CTE_OUTPUT_WEIGHT = 3, CTE_OUTPUT_PROJECTION = 4, CTE_OUTPUT_NORMAL = 6
   integer(i4), parameter :: CTE_OUTPUT_ITERATIONS = 9, CTE_OUTPUT_FEATURE = 10
-  integer(i4), parameter :: CTE_OUTPUT_TANGENTIAL_TRACTION = 11, CTE_OUTPUT_TANGENTS = 13, CTE_OUTPUT_SIZE = 19
+  integer(i4), parameter :: CTE_OUTPUT_TANGENTIAL_TRACTION = 11, CTE_OUTPUT_TANGENTS = 13
+  integer(i4), parameter :: CTE_OUTPUT_ANGLES = 19, CTE_OUTPUT_MOMENTS = 21, CTE_OUTPUT_SIZE = 23
 
-  ! History of one contact point, entries from 0: status, projection, with friction anchor and slip path
+  ! History of one contact point, entries from 0: status, projection, with friction anchor and slip path, with
+  ! rolling the anchors and paths of both angles and the regime
   integer(i4), parameter :: CTE_HISTORY_STATUS = 0, CTE_HISTORY_PROJECTION = 1
 
   ! What an element is

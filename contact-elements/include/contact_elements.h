@@ -61,8 +61,8 @@ extern "C" {
 #define CTE_ERROR_VERSION (-10)    /* the library's major version is another */
 #define CTE_ERROR_STRIDE (-11)     /* strides are negative, let entries overlap or exceed any memory */
 #define CTE_ERROR_HISTORY (-12)    /* an entry that no evaluation writes: no status, an anchor far outside, a
-                                    * negative slip path, a positive multiplier; cte_history_transfer: or not
-                                    * that of the output */
+                                    * negative path, no regime, an angle beyond 1000 rad, a positive multiplier;
+                                    * cte_history_transfer: or not that of the output */
 #define CTE_ERROR_ELEMENT (-13)    /* cte_history_transfer: nothing to carry, or another kind of element;
                                     * cte_history_augment: no multiplier in the history */
 
@@ -112,7 +112,8 @@ extern "C" {
 #define CTE_FREEZE_STATE 32u   /* status CLOSED, STICK or SLIP in hist_old: in contact, any other: open, whatever
                                 * the gap (line search); a projection outside stays outside. With friction STICK
                                 * sticks and SLIP slides, whatever the bound; without slip or bound, and after
-                                * CLOSED, the law decides. Needs hist_old. */
+                                * CLOSED, the law decides. With rolling each curve rolls or not as the regime
+                                * in hist_old says. Needs hist_old. */
 #define CTE_SYMMETRISE 64u     /* write (K + K^T)/2; with friction no longer the exact tangent */
 #define CTE_PROJECTION_GIVEN 128u /* hist_old holds the projection itself: no iteration. Needs hist_old. */
 
@@ -129,7 +130,8 @@ extern "C" {
 #define CTE_STATUS_NOT_UNIQUE 6     /* the projection is not unique (focal surface, parallel tangents, axis): CTE_CUT_BACK */
 #define CTE_STATUS_DEGENERATE 7     /* zero area or length, L = 0 in codimension 2 or 3, the axis or centre of a
                                      * distance function, a gap that is no number, an axis of friction of length
-                                     * zero or normal to the master: CTE_CUT_BACK */
+                                     * zero or normal to the master; with rolling a curve without curvature, a
+                                     * director of length zero or along its curve: CTE_CUT_BACK */
 #define CTE_STATUS_LAW 8            /* the gap is outside the normal law's domain (barrier passed), or the values
                                      * of the normal or tangential law there are no numbers: CTE_CUT_BACK */
 
@@ -161,7 +163,11 @@ extern "C" {
 #define CTE_OUTPUT_TANGENTS 13  /* six entries: b_1, b_2 in the global frame [length per unit of the projected
                                  * parameter]: of a slave curve its tangent, of the master minus its tangent.
                                  * 0 where there are fewer, third entries 0 in 2D */
-#define CTE_OUTPUT_SIZE 19
+#define CTE_OUTPUT_ANGLES 19    /* two entries: phi_1, phi_2 [rad], see Rolling below. 0 without rolling and where not
+                                 * in contact, as the moments */
+#define CTE_OUTPUT_MOMENTS 21   /* two entries: M_1, M_2 about the slave's and the master's curve [N times length per
+                                 * rad] */
+#define CTE_OUTPUT_SIZE 23
 /* CTE_OUTPUT_FEATURE
  *   quadrilaterals   1 + edge: 0 between nodes 0 and 1 (eta low), 1 between 1 and 2, 2 between 2 and 3,
  *                    3 between 3 and 0; 5 + vertex: corner 0..3, counter-clockwise in (xi, eta). Corner 0 is
@@ -175,6 +181,8 @@ extern "C" {
  * cte_info.history = points * entries per point. P projected parameters:
  *   without friction  1 + P    status, projection
  *   with friction     2 + 2 P  status, projection [P], anchor [P], slip path [length]
+ *   with rolling      11       as with friction (P = 2), then phi0_1, phi0_2, path_1, path_2 [rad], regime: which
+ *                              curves roll, 0 none, 1 the slave's, 2 the master's, 3 both
  *   augmented         one more at the end: the multiplier [as N], never positive
  * hist_old is the accepted state: the last converged step. hist_new is a trial; no evaluation reads it. When the
  * step is accepted the host copies hist_new over hist_old, all of it; when it is cut back the host drops hist_new.
@@ -186,11 +194,20 @@ extern "C" {
  * hist_new has the anchor from which the force is elastic again, and the slip path has grown by what slid.
  * The force is a function of the displacements at the end of the step and of hist_old, not of the path of the
  * iterations. K is its derivative and is not symmetric (cte_info.symmetric 0): a host needs a solver for general
- * matrices. The element's energy is W + sum t_q^2/(2 e_q), what is stored: with friction f is not its derivative,
+ * matrices. The element's energy is W + sum t_q^2/(2 e_q) (with rolling + sum M_c^2/(2 eps_phi)), what is stored: with friction f is not its derivative,
  * so a line search has to look at f. A step that reverses the slip begins at the bound, where rounding decides
  * between stick and slip: a first iteration with CTE_FREEZE_STATE and STICK in the place of SLIP in a copy of
  * hist_old takes the elastic tangent. When the projection passes to a neighbouring element:
  * cte_history_transfer.
+ *
+ * Rolling (elements with a law of rolling: curve to curve at a distance). phi_c is the angle of the shortest distance,
+ * from curve c to the other, about the tangent of curve c, from its principal normal towards its binormal, in
+ * (-pi, pi]; with `director: given` from the director's part across the curve instead. M_c follows phi_c - phi0_c,
+ * taken in (-pi, pi], by the law of rolling, phi0_c and path_c as anchor and slip path of friction: M = 0 where
+ * contact begins. The status is that of friction; the regime tells which curves roll and is what CTE_FREEZE_STATE
+ * goes by. f is M_1 dphi_1 + M_2 dphi_2 in addition. Directors are directions in the current configuration, held
+ * in f and K: the host turns them with its bodies, and whatever carries one takes the moment M_c, which the forces f
+ * alone do not balance. Principal normals turn with the nodes: there f balances.
  *
  * Multipliers, c = N' of the law, a linear spring. The point is closed where N = multiplier + c g < 0, and this N
  * is the traction everywhere (output, bound of friction, energy).
@@ -201,7 +218,8 @@ extern "C" {
  *               closed, -weight * multiplier / c where open or outside: continuous at the switch. K has zeros on
  *               the diagonal there: a solver for indefinite matrices. */
 #define CTE_HISTORY_STATUS 0     /* CTE_STATUS_* as a number */
-#define CTE_HISTORY_PROJECTION 1 /* P entries; with friction P of the anchor and the slip path; a multiplier */
+#define CTE_HISTORY_PROJECTION 1 /* P entries; then, with friction, P entries of the anchor and the slip path;
+                                  * then, with rolling, phi0_1, phi0_2, path_1, path_2, regime; a multiplier last */
 
 typedef struct cte_element cte_element; /* opaque, immutable, static */
 
@@ -353,7 +371,7 @@ int32_t cte_element_parameter(const cte_element *element, int32_t index, const c
 /* Checks count parameters. 0, or CTE_ERROR_PARAMETER / CTE_ERROR_NOT_FINITE with the first bad one in *index. */
 int32_t cte_element_check_parameters(const cte_element *element, const double *parameters, int32_t count, int32_t *index);
 
-/* Writes the initial history: open, projection and anchor at the centre, slip path 0. */
+/* Writes the initial history: open, projection and anchor at the centre, slip path 0, angles and their paths 0. */
 int32_t cte_element_history_init(const cte_element *element, double *history);
 
 /* Takes an elastic slip along when the projection of a contact point passes from one element to its neighbour,
@@ -367,9 +385,12 @@ int32_t cte_element_history_init(const cte_element *element, double *history);
  * between the normals, which keeps its length; the anchor is the projection minus the parameters of s. Then
  * to_history is the accepted history of the point on `to`. With the same tangential law and parameters on both
  * elements the force keeps its length, and on coplanar elements its direction. Convected axes are those of
- * each element. Where from_history is not in contact nothing is to be carried: 0, to_history stays.
+ * each element. Where both elements have a law of rolling, angles and their paths go along unchanged: they are about
+ * the curves, which both elements must run through in the same sense. Where from_history is not in contact nothing is
+ * to be carried: 0, to_history stays.
  * argument (may be null): CTE_ARGUMENT_FROM .. TO_HISTORY, or NONE with 0. CTE_ERROR_NULL; CTE_ERROR_ELEMENT:
- * neither tangential law nor augmented, or the kinds, dimensions or numbers of projected parameters differ; CTE_ERROR_NOT_FINITE;
+ * neither tangential law nor augmented, or the kinds, dimensions or numbers of projected parameters differ;
+ * CTE_ERROR_NOT_FINITE;
  * CTE_ERROR_HISTORY: no history, or projection in history and output differ; CTE_CUT_BACK: tangents or normal
  * span no plane, normals opposite, a slip across the curve. On anything but 0 to_history is as it was: contact on
  * `to` begins anew. */

@@ -494,6 +494,21 @@ int32_t cte_point_circle_coulomb2d(cte_arguments *arguments);
 #define CTE_LINE2_LINE2_COULOMB2D 120
 int32_t cte_line2_line2_coulomb2d(cte_arguments *arguments);
 
+/* Hermite curve against Hermite curve (beams), Coulomb friction and rolling resistance: moments about both curves, */
+/* angles from their principal normals. */
+#define CTE_HERMITE_HERMITE_BEAMS_ROLLING 121
+int32_t cte_hermite_hermite_beams_rolling(cte_arguments *arguments);
+
+/* Hermite curve against Hermite curve (beams), Coulomb friction and rolling resistance: angles from directors given at */
+/* run time. */
+#define CTE_HERMITE_HERMITE_BEAMS_ROLLING_DIRECTOR 122
+int32_t cte_hermite_hermite_beams_rolling_director(cte_arguments *arguments);
+
+/* Straight segment against straight segment (beams), Coulomb friction and rolling resistance: angles from directors */
+/* given at run time. */
+#define CTE_LINE2_LINE2_BEAMS_ROLLING 123
+int32_t cte_line2_line2_beams_rolling(cte_arguments *arguments);
+
 #ifdef __cplusplus
 }
 #endif

@@ -119,6 +119,21 @@ pub enum AxisDescription {
     Slave,
 }
 
+/// Moments about two curves as declared, with their programs.
+#[derive(Clone, Copy, Debug)]
+pub struct RollingDescription {
+    /// The law of either moment.
+    pub law: &'static TangentialLawPrograms,
+    /// Where its parameters and the directors begin.
+    pub layout: crate::runtime::RollingLayout,
+    /// Angles about both curves.
+    pub angle: Program,
+    /// Coefficients of the residual.
+    pub residual: Program,
+    /// Coefficients of the tangent; none for residual-only elements.
+    pub tangent: Option<Program>,
+}
+
 /// The programs of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementPrograms {
@@ -183,6 +198,8 @@ pub struct ElementDescription {
     pub tangential: Option<&'static TangentialLawPrograms>,
     /// First axis of an orthotropic tangential law.
     pub axis: AxisDescription,
+    /// Moments about two curves; none: they roll freely.
+    pub rolling: Option<&'static RollingDescription>,
     /// True where a rigid geometry is placed by parameters.
     pub placed: bool,
     /// True for a gap with a sign.

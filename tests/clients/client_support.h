@@ -13,7 +13,7 @@ enum {
   ROOM_UNKNOWNS = 3 * ROOM_NODES,
   ROOM_PARAMETERS = 64,
   ROOM_POINTS = 64,
-  ROOM_HISTORY = 8 * ROOM_POINTS, /* with friction and a multiplier 3 + 2 * 2 per point */
+  ROOM_HISTORY = 8 * ROOM_POINTS, /* with friction and a multiplier 3 + 2 * 2 per point; with rolling 11, one point */
   ROOM_WORKSPACE = 1 << 18
 };
 

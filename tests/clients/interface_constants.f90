@@ -34,9 +34,9 @@ module interface_constants
     CTE_FREEZE_STATE, CTE_SYMMETRISE, CTE_PROJECTION_GIVEN]
   integer(i4), parameter :: unknown_kind(7) = [CTE_UNKNOWN_UX, CTE_UNKNOWN_UY, CTE_UNKNOWN_UZ, CTE_UNKNOWN_TX, &
     CTE_UNKNOWN_TY, CTE_UNKNOWN_TZ, CTE_UNKNOWN_MULTIPLIER]
-  integer(i4), parameter :: output(11) = [CTE_OUTPUT_STATUS, CTE_OUTPUT_GAP, CTE_OUTPUT_NORMAL_TRACTION, &
+  integer(i4), parameter :: output(13) = [CTE_OUTPUT_STATUS, CTE_OUTPUT_GAP, CTE_OUTPUT_NORMAL_TRACTION, &
     CTE_OUTPUT_WEIGHT, CTE_OUTPUT_PROJECTION, CTE_OUTPUT_NORMAL, CTE_OUTPUT_ITERATIONS, CTE_OUTPUT_FEATURE, &
-    CTE_OUTPUT_TANGENTIAL_TRACTION, CTE_OUTPUT_TANGENTS, CTE_OUTPUT_SIZE]
+    CTE_OUTPUT_TANGENTIAL_TRACTION, CTE_OUTPUT_TANGENTS, CTE_OUTPUT_ANGLES, CTE_OUTPUT_MOMENTS, CTE_OUTPUT_SIZE]
   integer(i4), parameter :: histories(2) = [CTE_HISTORY_STATUS, CTE_HISTORY_PROJECTION]
   integer(i4), parameter :: version(3) = [CTE_VERSION_MAJOR, CTE_VERSION_MINOR, CTE_ABI_VERSION_COMPILED]
 
@@ -85,7 +85,7 @@ contains
     call texts('texts of the statuses', status, cte_status_message)
     call compare('request bits', request, [(2**i, i=0, 7)])
     call compare('kinds of unknowns', unknown_kind, [(i, i=1, 7)])
-    call compare('entries of the output', output, [0, 1, 2, 3, 4, 6, 9, 10, 11, 13, 19])
+    call compare('entries of the output', output, [0, 1, 2, 3, 4, 6, 9, 10, 11, 13, 19, 21, 23])
     call compare('entries of the history', histories, [0, 1])
     call compare('version numbers', version, [1, 0, 65536])
     call client_check(ishft(cte_abi_version(), -16) == CTE_VERSION_MAJOR .and. cte_abi_version() &

@@ -18,14 +18,16 @@ static int has_slip(const cte_info *info)
   return info->history / info->points >= 2 + 2 * info->projected && info->projected > 0 && info->symmetric == 0;
 }
 
-/* Entries per point: status and projection; with friction anchor and slip path too; a multiplier, where there is none
- * among the unknowns. Else 0. */
+/* Entries per point: status and projection; with friction anchor and slip path too, with rolling of two curves five
+ * more; a multiplier, where there is none among the unknowns. Else 0. */
 static int history_of_point(const bench *any)
 {
   const cte_info *info = &any->info;
   const int p = info->projected, entries = info->history / info->points;
   const int plain = 1 + p + (has_slip(info) ? p + 1 : 0);
-  return entries == plain || (entries == plain + 1 && bench_multipliers(any) == 0) ? entries : 0;
+  const int rolls = has_slip(info) && p == 2 && entries >= plain + 5 ? 5 : 0;
+  const int more = entries - plain - rolls;
+  return more == 0 || (more == 1 && bench_multipliers(any) == 0) ? entries : 0;
 }
 
 /* The numbers of the description agree with each other. */

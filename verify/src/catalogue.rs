@@ -10,6 +10,7 @@ use crate::oracle::geometry::{
 use crate::oracle::law::Law;
 use crate::oracle::number::Number;
 use crate::oracle::pair::{IntegrationPoint, Master, Measure, Row, Slave};
+use crate::oracle::rolling::Rolling;
 use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
 use crate::subject::UnknownName;
 
@@ -194,10 +195,37 @@ pub(crate) fn tangential(
     let Some(programs) = description.tangential else {
         return Ok(None);
     };
+    let law = tangential_law(programs.name)?;
+    let axis = match description.axis {
+        AxisDescription::None => None,
+        AxisDescription::Convected => Some(Axis::Convected([1.0, 0.5])),
+        AxisDescription::Slave => Some(Axis::SlaveCurve),
+    };
+    let rolling = match description.rolling {
+        None => None,
+        Some(rolling) => Some(Rolling {
+            law: tangential_law(rolling.law.name)?,
+            directors: rolling.layout.directors.map(|_| DIRECTORS),
+        }),
+    };
+    Ok(Some(Tangential {
+        law,
+        axis,
+        tangent_plane: description.tangent_plane,
+        rolling,
+    }))
+}
+
+/// Directors to be replaced.
+const DIRECTORS: [[f64; 3]; 2] = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
+
+/// The tangential law of that name with parameters to be replaced.
+fn tangential_law(name: &str) -> Result<TangentialLaw, UnknownName> {
     let (eps_t, mu) = (500.0, 0.3);
-    let law = match programs.name {
+    Ok(match name {
         "Stick" => TangentialLaw::Stick { eps_t },
-        "Coulomb" => TangentialLaw::Coulomb { eps_t, mu },
+        // a lever arm times the pressure is the same function
+        "Coulomb" | "RollingResistance" => TangentialLaw::Coulomb { eps_t, mu },
         "CoulombAdhesive" => TangentialLaw::Adhesive {
             eps_t,
             mu,
@@ -214,15 +242,5 @@ pub(crate) fn tangential(
             mu: [mu; 2],
         },
         other => return Err(UnknownName(other.to_string())),
-    };
-    let axis = match description.axis {
-        AxisDescription::None => None,
-        AxisDescription::Convected => Some(Axis::Convected([1.0, 0.5])),
-        AxisDescription::Slave => Some(Axis::SlaveCurve),
-    };
-    Ok(Some(Tangential {
-        law,
-        axis,
-        tangent_plane: description.tangent_plane,
-    }))
+    })
 }

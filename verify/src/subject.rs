@@ -10,6 +10,7 @@ use crate::oracle::geometry::{Placement, RigidDistance, RigidParametric};
 use crate::oracle::law::Law;
 use crate::oracle::multiplier::Multipliers;
 use crate::oracle::pair::{GapKind, Master, Pair, Slave};
+use crate::oracle::rolling::RollingHistory;
 use crate::oracle::solve::{Accepted, Couplings, FrictionHistory};
 use crate::oracle::tangential::{Axis, TangentialLaw};
 
@@ -24,6 +25,8 @@ pub struct Subject {
     pub law_parameters: Vec<f64>,
     /// Parameters of a tangential law that the oracle was given as [`TangentialLaw::Declared`].
     pub tangential_parameters: Vec<f64>,
+    /// Parameters of a law of rolling that the oracle was given as [`TangentialLaw::Declared`].
+    pub rolling_parameters: Vec<f64>,
     /// Parameters of a rigid geometry that the oracle was given as `Declared`.
     pub geometry_parameters: Vec<f64>,
 }
@@ -81,6 +84,7 @@ impl Subject {
             template,
             law_parameters: vec![],
             tangential_parameters: vec![],
+            rolling_parameters: vec![],
             geometry_parameters: vec![CIRCLE_RADIUS],
         })
     }
@@ -94,7 +98,16 @@ impl Subject {
     pub fn parameters(&self, pair: &Pair) -> Vec<f64> {
         let mut list = self.parameters_of_law(&pair.law);
         if let Some(tangential) = &pair.tangential {
-            list.extend(self.parameters_of_tangential(&tangential.law));
+            let own = &self.tangential_parameters;
+            list.extend(parameters_of_tangential(&tangential.law, own));
+        }
+        let rolling = pair
+            .tangential
+            .as_ref()
+            .and_then(|own| own.rolling.as_ref());
+        if let Some(rolling) = rolling {
+            let own = &self.rolling_parameters;
+            list.extend(parameters_of_tangential(&rolling.law, own));
         }
         list.push(pair.r0);
         if self.description.signed {
@@ -122,6 +135,8 @@ impl Subject {
         if let Some(Axis::Convected(w)) = pair.tangential.as_ref().and_then(|law| law.axis) {
             list.extend(w);
         }
+        let directors = rolling.and_then(|rolling| rolling.directors);
+        list.extend(directors.iter().flatten().flatten());
         if self.description.placed {
             list.extend(placement_parameters(&pair.placement(), pair.dimension));
         }
@@ -134,26 +149,6 @@ impl Subject {
             Law::Power { eps_n, exponent } => vec![eps_n, exponent],
             Law::Barrier { kappa, distance } => vec![kappa, distance],
             Law::Declared(_) => self.law_parameters.clone(),
-        }
-    }
-
-    fn parameters_of_tangential(&self, law: &TangentialLaw) -> Vec<f64> {
-        match *law {
-            TangentialLaw::Stick { eps_t } => vec![eps_t],
-            TangentialLaw::Coulomb { eps_t, mu } => vec![eps_t, mu],
-            TangentialLaw::Adhesive {
-                eps_t,
-                mu,
-                cohesion,
-            } => vec![eps_t, mu, cohesion],
-            TangentialLaw::StaticKinetic {
-                eps_t,
-                mu_s,
-                mu_k,
-                decay,
-            } => vec![eps_t, mu_s, mu_k, decay],
-            TangentialLaw::Orthotropic { eps_t, mu } => [eps_t, mu].concat(),
-            TangentialLaw::Declared(_) => self.tangential_parameters.clone(),
         }
     }
 
@@ -218,6 +213,11 @@ impl Subject {
             if descriptor.friction {
                 history.extend(&remembered.anchor[..descriptor.projected]);
                 history.push(remembered.slip);
+            }
+            if descriptor.rolling {
+                history.extend(remembered.rolling.anchor);
+                history.extend(remembered.rolling.path);
+                history.push(0.0);
             }
             if let Multipliers::Held(_) = multipliers {
                 history.extend(multipliers.at(q));
@@ -297,6 +297,10 @@ const FORGOTTEN: FrictionHistory = FrictionHistory {
     status: Accepted::Open,
     anchor: [0.0; 2],
     slip: 0.0,
+    rolling: RollingHistory {
+        anchor: [0.0; 2],
+        path: [0.0; 2],
+    },
 };
 
 /// What an entry holds that the element did not write.
@@ -408,6 +412,27 @@ impl Answer {
             .iter()
             .chain(&self.tangent)
             .all(|&value| value == 0.0)
+    }
+}
+
+/// Parameters of a tangential law; `own`: those of a declared one.
+fn parameters_of_tangential(law: &TangentialLaw, own: &[f64]) -> Vec<f64> {
+    match *law {
+        TangentialLaw::Stick { eps_t } => vec![eps_t],
+        TangentialLaw::Coulomb { eps_t, mu } => vec![eps_t, mu],
+        TangentialLaw::Adhesive {
+            eps_t,
+            mu,
+            cohesion,
+        } => vec![eps_t, mu, cohesion],
+        TangentialLaw::StaticKinetic {
+            eps_t,
+            mu_s,
+            mu_k,
+            decay,
+        } => vec![eps_t, mu_s, mu_k, decay],
+        TangentialLaw::Orthotropic { eps_t, mu } => [eps_t, mu].concat(),
+        TangentialLaw::Declared(_) => own.to_vec(),
     }
 }
 

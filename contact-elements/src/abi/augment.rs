@@ -4,7 +4,7 @@ use super::describe::write;
 use super::safe::Outcome;
 use super::sizes::{Fault, reported};
 use super::{Descriptor, argument, code};
-use crate::runtime::{Status, is_status, is_usable};
+use crate::runtime::{Status, is_remembered, is_status, is_usable};
 
 /// Values that an evaluation can have written.
 fn check(element: &Descriptor, history: &[f64], name: i32) -> Result<(), Fault> {
@@ -17,6 +17,7 @@ fn check(element: &Descriptor, history: &[f64], name: i32) -> Result<(), Fault> 
         last if last + 1 == size => value <= 0.0,
         zeta if zeta <= p => true,
         anchor if anchor <= 2 * p => element.can_be_anchor(anchor - 1 - p, value),
+        angle if angle >= 2 + 2 * p => is_remembered(angle - 2 - 2 * p, value),
         _ => value >= 0.0,
     };
     match history.iter().enumerate().position(|at| !possible(at)) {

@@ -190,6 +190,7 @@ impl<'a> Checked<'a> {
             projected: self.element.projected,
             friction: self.element.friction,
             augmented: self.element.is_augmented(),
+            rolling: self.element.rolling,
             f: at(request::RESIDUAL, batch.f, self.f_stride),
             k: at(request::TANGENT, batch.k, self.k_stride),
             row_stride: unknowns,

@@ -336,6 +336,7 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
         projected: element.projected,
         friction: element.friction,
         augmented: element.is_augmented(),
+        rolling: element.rolling,
         f: if_wanted(request::RESIDUAL, arguments.f),
         k: if_wanted(request::TANGENT, arguments.k),
         row_stride,

@@ -39,7 +39,10 @@ use crate::runtime::{Call, Enforcement, InputError, Nodes, Summary, can_be_ancho
 pub const VERSION: u32 = 1 << 16;
 
 /// Doubles of output per contact point.
-pub const OUTPUT_SIZE: usize = 19;
+pub const OUTPUT_SIZE: usize = 23;
+
+/// Doubles that rolling adds to the history of a contact point.
+pub(crate) const ROLLING_HISTORY: usize = 5;
 
 /// The compiled kernel of an element.
 pub type Kernel = fn(&Call<'_>, &Nodes<'_>, &mut [f64], &mut Target) -> Result<Summary, InputError>;
@@ -84,6 +87,8 @@ pub struct Descriptor {
     pub friction: bool,
     /// How the normal law holds the bodies apart.
     pub enforcement: Enforcement,
+    /// True where it has moments about two curves.
+    pub rolling: bool,
     /// True where K is symmetric.
     pub symmetric: bool,
     /// True where the element offers a tangent.
@@ -106,10 +111,12 @@ pub struct Descriptor {
 
 impl Descriptor {
     /// Doubles of history of one contact point: status and projected parameters; with friction the anchor and
-    /// the slip path too; a multiplier of the history last.
+    /// the slip path too; with rolling the anchors and paths of both angles and the regime; a multiplier of the
+    /// history last.
     pub fn point_history(&self) -> usize {
         let friction = if self.friction { self.projected + 1 } else { 0 };
-        1 + self.projected + friction + usize::from(self.is_augmented())
+        let rolling = if self.rolling { ROLLING_HISTORY } else { 0 };
+        1 + self.projected + friction + rolling + usize::from(self.is_augmented())
     }
 
     /// True where the history carries a multiplier.

@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use super::OUTPUT_SIZE;
+use super::{OUTPUT_SIZE, ROLLING_HISTORY};
 use crate::runtime::{Receiver, Report};
 
 /// Outputs of one element. Null pointers are outputs that nobody asked for.
@@ -14,6 +14,8 @@ pub struct Target {
     pub(super) friction: bool,
     /// True where the history holds a multiplier.
     pub(super) augmented: bool,
+    /// True where it also holds anchors, paths and regime of rolling.
+    pub(super) rolling: bool,
     pub(super) f: *mut f64,
     pub(super) k: *mut f64,
     pub(super) row_stride: usize,
@@ -93,22 +95,27 @@ impl Target {
         }
     }
 
-    /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too; a
-    /// multiplier last.
+    /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too; with
+    /// rolling the anchors and paths of both angles and the regime; a multiplier last.
     fn new_history(&mut self, point: usize, report: &Report) {
         let p = self.projected;
         let friction = if self.friction { p + 1 } else { 0 };
-        let size = 1 + p + friction + usize::from(self.augmented);
+        let angles = if self.rolling { ROLLING_HISTORY } else { 0 };
+        let size = 1 + p + friction + angles + usize::from(self.augmented);
+        let rolling = &report.rolling;
         // SAFETY: the history has `size` entries per point.
         let entries = unsafe { core::slice::from_raw_parts(self.history.add(point * size), size) };
         let status = [f64::from(report.status as i32)];
         let zeta = report.zeta.iter().take(p);
         let anchor = report.anchor.iter().take(p);
         let slid = anchor.chain([&report.path]).take(friction);
+        let rolled = rolling.anchor.iter().chain(&rolling.path);
+        let rolled = rolled.chain([&rolling.regime]);
         let values = status
             .iter()
             .chain(zeta)
             .chain(slid)
+            .chain(rolled.take(angles))
             .chain([&report.multiplier]);
         for (entry, &value) in entries.iter().zip(values) {
             entry.set(value);
@@ -250,6 +257,10 @@ impl Receiver for Target {
                 c[0],
                 c[1],
                 c[2],
+                report.rolling.angle[0],
+                report.rolling.angle[1],
+                report.rolling.moment[0],
+                report.rolling.moment[1],
             ];
             // SAFETY: output has OUTPUT_SIZE entries per point.
             unsafe {

@@ -3,9 +3,9 @@
 use super::describe::write;
 use super::safe::Outcome;
 use super::sizes::{Fault, reported};
-use super::{Descriptor, OUTPUT_SIZE, argument, code};
+use super::{Descriptor, OUTPUT_SIZE, ROLLING_HISTORY, argument, code};
 use crate::arithmetic::abs;
-use crate::runtime::{Status, TangentPlane, is_status, is_usable};
+use crate::runtime::{Status, TangentPlane, is_remembered, is_status, is_usable};
 
 /// Entries of the output that are read.
 const PROJECTION: usize = 4;
@@ -15,7 +15,7 @@ const TANGENTS: usize = 13;
 /// come from an evaluation of the accepted state anew.
 const APART: f64 = 1e-6;
 /// Most entries of a point's history.
-const ROOM: usize = 7;
+const ROOM: usize = 7 + ROLLING_HISTORY;
 
 /// One contact point of an element: its output, and its history that belongs to it.
 #[derive(Clone, Copy)]
@@ -76,6 +76,17 @@ impl<'a> Place<'a> {
         let last = self.element.point_history() - 1;
         if self.element.is_augmented() && self.entry(last) > 0.0 {
             return Err((code::HISTORY, history, last));
+        }
+        let angles = if self.element.rolling {
+            ROLLING_HISTORY
+        } else {
+            0
+        };
+        let rolling = self.history.iter().enumerate().skip(2 + 2 * p);
+        for (entry, &value) in rolling.take(angles) {
+            if !is_remembered(entry - 2 - 2 * p, value) {
+                return Err((code::HISTORY, history, entry));
+            }
         }
         for i in 0..p {
             let (own, projected) = (self.entry(1 + i), self.at(PROJECTION + i));
@@ -157,12 +168,21 @@ fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Faul
     };
     let slid = if to.element.friction { p } else { 0 };
     let path = Some(from.entry(1 + 2 * p)).filter(|_| to.element.friction);
+    // angles are about the curves: they go along as they are
+    let angles = if from.element.rolling { from } else { to };
+    let rolling = if to.element.rolling {
+        ROLLING_HISTORY
+    } else {
+        0
+    };
+    let rolled = (0..rolling).map(|entry| angles.entry(2 + 2 * p + entry));
     let multiplier = from.history.last().copied();
     let values = [from.entry(0)]
         .into_iter()
         .chain((0..p).map(|i| to.entry(1 + i)))
         .chain(anchor.into_iter().take(slid))
         .chain(path)
+        .chain(rolled)
         .chain(multiplier.filter(|_| to.element.is_augmented()));
     let mut history = [0.0; ROOM];
     for (entry, value) in history.iter_mut().zip(values) {
@@ -190,7 +210,8 @@ fn anchor(from: &Place<'_>, to: &Place<'_>) -> Result<[f64; 2], Fault> {
 
 /// Takes an elastic slip along when the projection passes from one element to its neighbour; output and history
 /// of one contact point each. `to_history` came, with `to_output`, from an evaluation of `to` with its initial
-/// history; status, anchor, slip path and multiplier of the accepted point are put into it. On anything but
+/// history; status, anchor, slip path and multiplier of the accepted point are put into it, and where both roll the
+/// angles with their paths. On anything but
 /// [`code::SUCCESS`] it is as it was, and the outcome names the argument and its entry.
 pub fn transfer(
     (from, from_output, from_history): (&Descriptor, &[f64], &[f64]),

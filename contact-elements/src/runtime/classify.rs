@@ -8,6 +8,7 @@ use super::enforcement::enforced;
 use super::friction::TangentialLaw;
 use super::projection::{largest, project};
 use super::receiver::Call;
+use super::rolling::roll;
 use super::shape::{NormalLaw, Traction};
 use super::sliding::{Sliding, slide};
 use super::values::{Gap, Status, Vectors};
@@ -91,6 +92,9 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         }
         if E::Tangential::ACTIVE {
             *sliding = slide::<E, D, P, H>(call, stage.x, number, &mut point)?;
+            if E::ROLLING.is_some() {
+                roll::<E, D, P, H>(call, stage.x, number, &point, sliding)?;
+            }
         }
         if call.wanted.tangent && !has_derivatives(&point.vectors) {
             return Err(Status::Degenerate);

@@ -10,6 +10,7 @@ use super::enforcement;
 use super::friction::TangentialLaw;
 use super::placement::Placement;
 pub(super) use super::receiver::{Call, Failure, Receiver, Report, Summary};
+use super::rolling;
 use super::sliding::{self, Sliding};
 use super::tangential::TangentialRows;
 use super::values::{Coefficients, Rows, Status};
@@ -203,6 +204,10 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
         if E::Tangential::ACTIVE {
             let place = (&n, weight);
             sliding::residual::<E, R, D, P, H>(stage, placement, point, state, place, receiver);
+            if E::ROLLING.is_some() {
+                let state = (state, weight);
+                rolling::residual::<E, R, D, P, H>(call, stage, point, state, receiver);
+            }
         }
     }
     if call.wanted.tangent {
@@ -285,6 +290,9 @@ fn tangent<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, con
     if E::Tangential::ACTIVE && !joins {
         let place = (number, point, n, weight);
         sliding::tangent::<E, R, D, P, H>(call, stage, placement, state, place, receiver);
+        if E::ROLLING.is_some() {
+            rolling::tangent::<E, R, D, P, H>(call, stage, point, (state, weight), receiver);
+        }
     }
 }
 
@@ -357,6 +365,7 @@ fn report<const D: usize, const P: usize, const H: usize>(
         anchor: [0.0; 2],
         path: state.path,
         multiplier: enforcement::remembered(traction),
+        rolling: state.rolling,
     };
     for (to, b) in report.tangents.iter_mut().zip(&point.vectors.b) {
         let b = match placement {

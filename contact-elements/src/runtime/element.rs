@@ -2,6 +2,8 @@
 
 use super::enforcement::Enforcement;
 use super::friction::{Tangential, TangentialLaw};
+use super::motion::{RollingCoefficients, RollingForce};
+use super::rolling::{self, Rolling, RollingAngles, RollingLayout};
 use super::shape::{Domain, NormalLaw, Traction};
 use super::tangential::{TangentialCoefficients, TangentialForce};
 use super::values::{Coefficients, Frame, Gap, Measure, Rows, Status, Vectors};
@@ -86,11 +88,19 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     /// What parallel tangents mean: degenerate for a facet, not unique for two curves.
     const PARALLEL: Status;
 
-    /// Doubles of history per contact point: status and ζ; with friction the anchor and the slip path too; a
-    /// multiplier of the history last.
+    /// Where the parameters of rolling begin; none: two curves roll freely.
+    const ROLLING: Option<RollingLayout> = None;
+
+    /// Doubles of history per contact point: status and ζ; with friction the anchor and the slip path too; with
+    /// rolling what [`Rolling`] remembers; a multiplier of the history last.
     const HISTORY: usize = 1
         + P
         + if Self::Tangential::ACTIVE { P + 1 } else { 0 }
+        + if Self::ROLLING.is_some() {
+            rolling::HISTORY
+        } else {
+            0
+        }
         + if Self::AUGMENTED { 1 } else { 0 };
 
     /// True where the history carries a multiplier.
@@ -247,6 +257,63 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     ) -> TangentialCoefficients<D, P, H> {
         TangentialCoefficients::default()
     }
+
+    /// Angles about both curves. [eq:rolling-angle]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn rolling_angles(
+        vectors: &Vectors<D, P, H>,
+        gap: &Gap<D>,
+        parameters: &[f64],
+    ) -> RollingAngles {
+        RollingAngles::default()
+    }
+
+    /// Moment at an angle since its anchor, `parameters` from the law's own on.
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn rolling_law(
+        angle: f64,
+        pressure: f64,
+        path: f64,
+        parameters: &[f64],
+        forced: Option<Status>,
+    ) -> Result<(Status, Tangential), Status> {
+        Ok((Status::Stick, Tangential::default()))
+    }
+
+    /// Coefficients of the residual of the moments. [eq:rolling-residual]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn rolling_force(
+        vectors: &Vectors<D, P, H>,
+        gap: &Gap<D>,
+        frame: &Frame<P>,
+        third: &[[f64; D]; 4],
+        rolling: &Rolling,
+        parameters: &[f64],
+    ) -> RollingForce<D, P> {
+        RollingForce::default()
+    }
+
+    /// Coefficients of the tangent of the moments; `slope`: N'. [eq:rolling-tangent]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn rolling_tangent(
+        vectors: &Vectors<D, P, H>,
+        gap: &Gap<D>,
+        frame: &Frame<P>,
+        third: &[[f64; D]; 4],
+        (rolling, slope): (&Rolling, f64),
+        parameters: &[f64],
+    ) -> RollingCoefficients<D, P> {
+        RollingCoefficients::default()
+    }
+
+    /// Fills the rows s_A,iii where the angles move with them; zero on entry.
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn third_rows(zeta: &[f64; P], rows: &mut [&mut [f64]; P]) {}
 
     /// Weight times Jacobian of a point. `reference`, `x`: reference and current slave nodes. The rows
     /// of the measure's variation go to `variation` (per slave unknown) where it moves.

@@ -33,6 +33,8 @@ pub struct Tangential {
     pub energy: f64,
     /// Elastic part of the slip, t_q/e_q.
     pub elastic: [f64; 2],
+    /// With rolling: t_q and the share of the moments, which multiply δζ̂^q.
+    pub force: [f64; 2],
 }
 
 /// Tangential law of an element.

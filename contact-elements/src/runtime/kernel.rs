@@ -7,6 +7,7 @@ use super::driver::{Call, Failure, Receiver, Stage, Summary, evaluate};
 use super::element::Element;
 use super::friction::TangentialLaw;
 use super::gather::{Nodes, gather, is_usable, multipliers, shift_of_row};
+use super::rolling::is_remembered;
 use super::tangential::TangentialRows;
 use super::values::{Rows, Status};
 use crate::arithmetic::abs;
@@ -20,8 +21,8 @@ pub enum InputError {
     Displacement(usize),
     /// Entry of the history.
     History(usize),
-    /// Entry of the history that no evaluation writes: no status, an anchor far outside, a negative path, a
-    /// multiplier that pulls.
+    /// Entry of the history that no evaluation writes: no status, an anchor far outside, a negative path, no regime
+    /// of rolling, a multiplier that pulls.
     Impossible(usize),
     /// Entry of the slave row.
     SlaveRow(usize),
@@ -54,7 +55,7 @@ pub(crate) fn is_status(value: f64) -> bool {
 }
 
 /// Finite numbers; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
-/// that is not negative; a multiplier that is not positive.
+/// that is not negative; with rolling what [`is_remembered`] says; a multiplier that is not positive.
 #[inline(always)]
 fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     history: &[Cell<f64>],
@@ -77,6 +78,7 @@ fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: u
                 let i = entry - 1 - P;
                 can_be_anchor(value, E::centre()[i], E::extent(i))
             }
+            entry if entry >= 2 + 2 * P => is_remembered(entry - 2 - 2 * P, value),
             _ => value >= 0.0,
         };
         if !possible {

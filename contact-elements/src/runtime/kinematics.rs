@@ -293,6 +293,25 @@ pub fn curve_to_curve_higher<
     third
 }
 
+/// Fills the rows s_A,111 of the slave and s_A,222 of the master; zero elsewhere on entry.
+#[inline(always)]
+pub fn curve_to_curve_third<
+    S: Shape<1, 1, NS>,
+    M: Shape<1, 1, NM>,
+    const NS: usize,
+    const NM: usize,
+>(
+    zeta: &[f64; 2],
+    rows: &mut [&mut [f64]; 2],
+) {
+    if let Some(to) = rows[0].first_chunk_mut::<NS>() {
+        *to = S::third(&[zeta[0]], &[])[0];
+    }
+    if let Some(to) = rows[1].last_chunk_mut::<NM>() {
+        *to = negated(&M::third(&[zeta[1]], &[])[0]);
+    }
+}
+
 /// r_,ijk of [`curve_to_rigid`]; fills the row s_A,11 of the slave.
 #[inline(always)]
 pub fn curve_to_rigid_higher<

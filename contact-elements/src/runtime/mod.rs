@@ -21,9 +21,11 @@ mod gather;
 mod kernel;
 mod kinematics;
 mod lanes;
+mod motion;
 mod placement;
 mod projection;
 mod receiver;
+mod rolling;
 mod shape;
 mod sliding;
 mod tangential;
@@ -34,19 +36,22 @@ pub use contraction::{Temporaries, contract};
 pub use driver::{Stage, evaluate};
 pub use element::{Element, Layout, Search, can_divide};
 pub use enforcement::Enforcement;
-pub use friction::{Friction, Frictionless, Tangential, TangentialLaw};
+pub use friction::{Friction, Frictionless, Tangential, TangentialLaw, return_map};
 pub(crate) use gather::is_usable;
 pub use gather::{Coordinates, Nodes};
 pub use kernel::{InputError, fixed, interpolated, workspace};
 pub(crate) use kernel::{can_be_anchor, is_status};
 pub use kinematics::{
-    curve_to_curve, curve_to_curve_higher, curve_to_rigid, curve_to_rigid_higher, onto_point,
-    onto_rigid, onto_rigid_higher, onto_shape, onto_shape_higher, slave_point, slave_tangents,
-    spread_variation,
+    curve_to_curve, curve_to_curve_higher, curve_to_curve_third, curve_to_rigid,
+    curve_to_rigid_higher, onto_point, onto_rigid, onto_rigid_higher, onto_shape,
+    onto_shape_higher, slave_point, slave_tangents, spread_variation,
 };
+pub use motion::{Motion, RollingCoefficients, RollingForce};
 pub use placement::Placement;
 pub use projection::{Projected, project};
 pub use receiver::{Call, Failure, Receiver, Report, Summary, Wanted};
+pub(crate) use rolling::is_remembered;
+pub use rolling::{Rolling, RollingAngles, RollingLayout};
 pub use shape::{Distance, Domain, NormalLaw, Rigid, Shape, Traction};
 pub use tangential::{
     Form, TangentialCoefficients, TangentialForce, TangentialRows, contract_tangential,

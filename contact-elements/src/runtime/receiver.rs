@@ -2,6 +2,7 @@
 
 use core::cell::Cell;
 
+use super::rolling::Rolling;
 use super::values::Status;
 
 /// Which outputs are wanted, and how.
@@ -23,7 +24,7 @@ pub struct Call<'a> {
     /// Parameters, checked.
     pub parameters: &'a [f64],
     /// Accepted history: per point status and projected parameters, with friction the anchor and the slip
-    /// path too; none: start at the centre. Cells,
+    /// path too, with rolling what [`Rolling`] remembers; none: start at the centre. Cells,
     /// because the host may hand in one array for the old and the new history; all reads come first.
     pub history: Option<&'a [Cell<f64>]>,
     /// Interpolated slaves: shape row and weight.
@@ -61,6 +62,8 @@ pub struct Report {
     pub path: f64,
     /// Multiplier for the next step, where the history carries one.
     pub multiplier: f64,
+    /// Moments about two curves, where there are any.
+    pub rolling: Rolling,
 }
 
 /// Takes the outputs of an evaluation: dense arrays, strided ones, a sparse matrix.

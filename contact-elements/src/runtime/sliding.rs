@@ -10,6 +10,7 @@ use super::element::Element;
 use super::friction::{Tangential, return_map};
 use super::placement::Placement;
 use super::receiver::{Call, Receiver};
+use super::rolling::Rolling;
 use super::tangential::contract_tangential;
 use super::values::{Coefficients, Frame, Status};
 use crate::arithmetic::abs;
@@ -26,6 +27,8 @@ pub(super) struct Sliding<const P: usize> {
     pub(super) anchor: [f64; P],
     /// For the next step.
     pub(super) path: f64,
+    /// Moments about two curves.
+    pub(super) rolling: Rolling,
 }
 
 impl<const P: usize> Default for Sliding<P> {
@@ -36,6 +39,7 @@ impl<const P: usize> Default for Sliding<P> {
             tangential: Tangential::default(),
             anchor: [0.0; P],
             path: 0.0,
+            rolling: Rolling::default(),
         }
     }
 }
@@ -93,6 +97,7 @@ pub(super) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
         tangential,
         anchor,
         path,
+        rolling: Rolling::default(),
     };
     if status == Status::Slip {
         sliding.move_anchor(&point.zeta, s);

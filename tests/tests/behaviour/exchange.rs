@@ -24,9 +24,14 @@ fn differences(state: &State, exchanged: &State) -> [f64; 3] {
 /// projection: the parameters of the two orders agree to its tolerance.
 fn check(name: &str, r0: f64, slave: &[f64], master: &[f64], tolerance: f64) {
     let given = [("eps_n", 1e4), ("eps_t", 5e3), ("mu", 0.2), ("r0", r0)];
-    let (mut pair, mut exchanged) = (Pair::new(name, &given), Pair::new(name, &given));
+    let pairs = [Pair::new(name, &given), Pair::new(name, &given)];
+    check_pairs(name, pairs, slave, master, tolerance);
+}
+
+fn check_pairs(name: &str, pairs: [Pair; 2], slave: &[f64], master: &[f64], tolerance: f64) {
+    let [mut pair, mut exchanged] = pairs;
     let mut most = [0.0_f64; 3];
-    let mut seen = vec![];
+    let (mut seen, mut rolled) = (vec![], false);
     for step in 0..8 {
         // the slave's first position goes along both curves and deeper
         let s = 4e-3 * f64::from(step * step);
@@ -38,6 +43,15 @@ fn check(name: &str, r0: f64, slave: &[f64], master: &[f64], tolerance: f64) {
         let other = exchanged.step(&[master, &slave].concat());
         assert_eq!(state.outcome.status, other.outcome.status);
         seen.push(state.status());
+        let about = |state: &State| [state.output[21], state.output[22]];
+        let ([first, last], others) = (about(&state), about(&other));
+        let apart = relative(&[last, first, 1e-3], &[others[0], others[1], 1e-3]);
+        // a moment follows a small difference of angles
+        assert!(
+            apart < 10.0 * tolerance,
+            "moments at step {step}: {apart:.1e}"
+        );
+        rolled |= first.abs().min(last.abs()) > 1e-3;
         let differences = differences(&state, &other);
         for (most, difference) in most.iter_mut().zip(differences) {
             *most = most.max(difference);
@@ -47,6 +61,7 @@ fn check(name: &str, r0: f64, slave: &[f64], master: &[f64], tolerance: f64) {
         seen[1..].contains(&Status::Stick) && seen.contains(&Status::Slip),
         "{seen:?}"
     );
+    assert_eq!(rolled, pair.element.rolling);
     println!("exchange: {name}: energy, forces, tangent {}", list(&most));
     assert!(most.iter().all(|&most| most < tolerance), "{most:?}");
 }
@@ -65,4 +80,42 @@ fn curved_beams() {
     ];
     let master = [0.1, -1.0, 0.0, 0.2, 2.0, 0.1, 0.0, 1.0, 0.1, -0.1, 2.0, 0.0];
     check("HermiteHermiteBeamsCoulomb", 0.3, &slave, &master, 1e-12);
+}
+
+/// Laws of rolling, and directors in the order of the names.
+fn rolls(name: &str, r0: f64, directors: [[f64; 3]; 2]) -> Pair {
+    let given = [
+        ("eps_n", 1e4),
+        ("eps_t", 5e3),
+        ("mu", 0.2),
+        ("eps_phi", 30.0),
+        ("mu_phi", 0.02),
+        ("r0", r0),
+    ];
+    let mut pair = Pair::new(name, &given);
+    if pair.parameters.len() > given.len() {
+        for (side, director) in ["slave", "master"].into_iter().zip(directors) {
+            for (axis, component) in ["x", "y", "z"].into_iter().zip(director) {
+                pair.set(&format!("{side}_director_{axis}"), component);
+            }
+        }
+    }
+    pair
+}
+
+#[test]
+fn rolling_beams() {
+    let directors = [[0.1, 0.3, 1.0], [0.9, -0.2, 0.4]];
+    let [first, last] = directors;
+    let slave = [
+        -1.0, 0.1, 0.17, 2.0, 0.0, 0.2, 1.0, -0.1, 0.2, 2.0, 0.3, -0.1,
+    ];
+    let master = [0.1, -1.0, 0.0, 0.2, 2.0, 0.1, 0.0, 1.0, 0.1, -0.1, 2.0, 0.0];
+    for name in [
+        "HermiteHermiteBeamsRolling",
+        "HermiteHermiteBeamsRollingDirector",
+    ] {
+        let pairs = [rolls(name, 0.3, directors), rolls(name, 0.3, [last, first])];
+        check_pairs(name, pairs, &slave, &master, 1e-12);
+    }
 }

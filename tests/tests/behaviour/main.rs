@@ -21,6 +21,7 @@ mod orthotropic;
 mod oscillator;
 mod pair;
 mod patch;
+mod rolling;
 mod rope;
 mod rotation;
 mod seam;

@@ -4,7 +4,8 @@ use contact_elements::abi::{
     Descriptor, Evaluation, OUTPUT_SIZE, Outcome, argument, code, evaluate, transfer,
 };
 use contact_elements::elements::{
-    PointHermiteCoulomb, PointLine2Coulomb2d, PointQuad4, PointQuad4Coulomb,
+    Line2Line2BeamsCoulomb, Line2Line2BeamsRolling, PointHermiteCoulomb, PointLine2Coulomb2d,
+    PointQuad4, PointQuad4Coulomb,
 };
 use contact_elements::runtime::{Status, TangentPlane};
 
@@ -282,4 +283,51 @@ fn planes_and_slips() {
     );
     assert!(curve.parameters(&e(0)).is_none());
     assert_eq!(curve.parameters(&[0.0; 3]), Some([0.0; 2]));
+}
+
+/// A beam along x above two collinear ones along y: angles and their paths go along unchanged, and with them the
+/// moments; an element without rolling gives and takes friction alone.
+#[test]
+fn angles_about_curves() {
+    let beams = |end: f64, turn: f64| {
+        let slave = [-1.0, 0.01, 0.29 - turn, 1.0, 0.01, 0.29 + turn];
+        [&slave[..], &[0.0, end - 1.0, 0.0, 0.0, end, 0.0]].concat()
+    };
+    // eps_n, eps_t, mu, eps_phi, mu_phi, r0, directors
+    let parameters = [
+        100.0, 50.0, 0.5, 0.2, 0.003, 0.3, 0.0, 0.3, 1.0, 0.1, 0.0, 1.0,
+    ];
+    let rolling = Line2Line2BeamsRolling::DESCRIPTOR;
+    let mut from = Point::new(rolling, &beams(0.3, 0.0), &parameters, &[]);
+    for turn in [0.02, 0.05] {
+        let old = from.history.clone();
+        from = Point::new(rolling, &beams(0.3, turn), &parameters, &old);
+    }
+    assert!(
+        from.output[22].abs() > 1e-4 && from.history[9] > 0.0,
+        "{:?}",
+        from.output
+    );
+    let initial = [0.0; 11];
+    let mut to = Point::new(rolling, &beams(0.5, 0.05), &parameters, &initial);
+    assert_eq!(to.receive(&from).code, code::SUCCESS);
+    assert_eq!(to.history[6..], from.history[6..]);
+    let history = to.history.clone();
+    let again = Point::new(rolling, &beams(0.5, 0.05), &parameters, &history);
+    for entry in 19..23 {
+        assert!((again.output[entry] - from.output[entry]).abs() < TOLERANCE);
+    }
+    let plain = Line2Line2BeamsCoulomb::DESCRIPTOR;
+    let own = [100.0, 50.0, 0.5, 0.3];
+    let mut frictional = Point::new(plain, &beams(0.5, 0.05), &own, &[0.0; 6]);
+    assert_eq!(frictional.receive(&from).code, code::SUCCESS);
+    assert_eq!(frictional.history[5], from.history[5]);
+    let mut to = Point::new(rolling, &beams(0.5, 0.05), &parameters, &initial);
+    let begun = to.history.clone();
+    assert_eq!(to.receive(&frictional).code, code::SUCCESS);
+    assert_eq!(to.history[6..], begun[6..]);
+    from.history[10] = 5.0;
+    let outcome = to.receive(&from);
+    let expected = (code::HISTORY, argument::FROM_HISTORY, 10);
+    assert_eq!((outcome.code, outcome.argument, outcome.index), expected);
 }

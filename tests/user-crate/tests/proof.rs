@@ -226,6 +226,7 @@ fn subjects() -> Vec<Subject> {
         law: TangentialLaw::Declared(Arc::new(Worn(WORN))),
         axis: None,
         tangent_plane: false,
+        rolling: None,
     });
     vec![
         subject("PointQuad8", Slave::Point, facet(), softened(), &[]),

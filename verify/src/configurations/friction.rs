@@ -6,8 +6,10 @@
 
 use super::random::Stream;
 use super::recipe::Freedom;
+use super::rolling;
 use super::{Configuration, Wanted};
 use crate::oracle::kinematics::Frame;
+use crate::oracle::rolling::RollingHistory;
 use crate::oracle::solve::{
     self, Accepted, FrictionHistory, FrictionReport, PointReport, PointStatus, State,
 };
@@ -19,7 +21,7 @@ use crate::oracle::vector::{add, constant, dot, scale};
 /// for the tangent.
 const LEAST_SLIP: f64 = 2e-2;
 /// Least distance of the utilisation from one: both sides must agree on the status.
-const LEAST_MARGIN: f64 = 2e-10;
+pub(super) const LEAST_MARGIN: f64 = 2e-10;
 
 /// How a contact point is loaded.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +48,7 @@ pub fn equip(
     if freedom.law {
         let pressure = deepest.map_or(1.0, |point| -point.force);
         draw(&mut tangential, pressure, configuration.size, stream);
+        rolling::draw(&mut tangential, pressure, configuration.size, stream);
     }
     configuration.pair.tangential = Some(tangential);
     configuration.points = solve::reports(&configuration.pair, &configuration.state()).ok()?;
@@ -62,6 +65,7 @@ pub fn equip(
     } else {
         remembered(configuration, slips, stream)
     };
+    rolling::remember(configuration, slips, stream)?;
     configuration.points = solve::reports(&configuration.pair, &configuration.state()).ok()?;
     is_clear(configuration).then_some(())
 }
@@ -170,6 +174,7 @@ fn forgotten(configuration: &Configuration, q: usize, stream: &mut Stream) -> Fr
         status,
         anchor: start.map(|z| z + stream.uniform(-0.1, 0.1)),
         slip: draw_path(configuration.size, stream),
+        rolling: RollingHistory::default(),
     }
 }
 
@@ -231,6 +236,7 @@ fn anchored(
         },
         anchor: [0, 1].map(|i| point.zeta[i] - moved[i]),
         slip: path,
+        rolling: RollingHistory::default(),
     }
 }
 
@@ -324,6 +330,7 @@ fn after_reversal(
             status: Accepted::Open,
             anchor: [0.0; 2],
             slip: 0.0,
+            rolling: RollingHistory::default(),
         },
     };
     (before[q].friction?.regime == Regime::Slip).then(|| before.iter().map(history).collect())
@@ -336,5 +343,5 @@ pub(super) fn is_clear(configuration: &Configuration) -> bool {
     closed.all(|friction| {
         let far = friction.regime == Regime::Stick || friction.distance >= least;
         far && (friction.utilisation - 1.0).abs() >= LEAST_MARGIN
-    })
+    }) && rolling::is_clear(configuration)
 }

@@ -15,6 +15,7 @@ pub mod motion;
 pub mod multipliers;
 pub mod random;
 pub mod recipe;
+mod rolling;
 
 use std::fmt;
 

@@ -1,7 +1,8 @@
 //! The oracle: truth by dual numbers, slowly but without any typed derivative.
 //!
 //! Read in this order: [`geometry`] (positions as functions of parameters), [`law`] (energy as a
-//! function of the gap), [`multiplier`] (what a multiplier adds to it), [`tangential`] (traction as a function of slip, pressure and path), [`pair`]
+//! function of the gap), [`multiplier`] (what a multiplier adds to it), [`tangential`] (traction as a function of slip,
+//! pressure and path), [`rolling`] (angles about two curves), [`pair`]
 //! (one contact problem as data), [`kinematics`] (relative
 //! position, tangents, normal, gap), [`projection`] (closest point in doubles), [`solve`]
 //! (energy, residual and tangent from dual sweeps).
@@ -51,6 +52,7 @@ pub mod multiplier;
 pub mod number;
 pub mod pair;
 pub mod projection;
+pub mod rolling;
 pub mod solve;
 pub mod tangential;
 pub mod vector;

@@ -61,6 +61,18 @@ number!(
     point_nested_hyper,
     distance_nested_hyper
 );
+number!(
+    Dual<Dual<Dual64>>,
+    row_twice_nested_dual,
+    point_twice_nested_dual,
+    distance_twice_nested_dual
+);
+number!(
+    Dual<Dual<HyperDual64>>,
+    row_twice_nested_hyper,
+    point_twice_nested_hyper,
+    distance_twice_nested_hyper
+);
 
 macro_rules! base {
     ($type:ty) => {
@@ -80,3 +92,5 @@ macro_rules! base {
 base!(f64);
 base!(Dual64);
 base!(HyperDual64);
+base!(Dual<Dual64>);
+base!(Dual<HyperDual64>);

@@ -6,6 +6,7 @@ use crate::oracle::geometry::{Interpolation, Shape};
 use crate::oracle::law::Law;
 use crate::oracle::multiplier::Multipliers;
 use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Slave};
+use crate::oracle::rolling::RollingHistory;
 use crate::oracle::solve::{Accepted, FrictionHistory};
 use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
 
@@ -178,6 +179,7 @@ impl Case {
             status: Accepted::Stick,
             anchor: pad(&history.z_stick),
             slip: 0.0,
+            rolling: RollingHistory::default(),
         };
         self.history.iter().map(remembered).collect()
     }
@@ -235,6 +237,7 @@ impl LawData {
             law,
             axis,
             tangent_plane: false,
+            rolling: None,
         })
     }
 }

@@ -7,6 +7,7 @@ use crate::configurations::{Configuration, Stream, Wanted};
 use crate::oracle::geometry::Placement;
 use crate::oracle::pair::{Master, Pair};
 use crate::oracle::solve::Couplings;
+use crate::oracle::vector::{dot, unit};
 use crate::subject::{self, Answer, Subject};
 use crate::tolerance::{BALANCE, MOTION, SYMMETRY, UNITS, relative_error};
 
@@ -98,7 +99,8 @@ fn balance(
     ) {
         return;
     }
-    let (force, moment) = imbalance(configuration, &answer.residual);
+    let carried = carried(configuration, answer);
+    let (force, moment) = imbalance(configuration, &answer.residual, carried);
     result.force.absorb(force, index);
     result.moment.absorb(moment, index);
     result.finding.compare("balance of force", force, BALANCE);
@@ -107,12 +109,37 @@ fn balance(
     }
 }
 
-/// Sums of forces and moments, relative to the largest force and the largest coordinate.
-pub(super) fn imbalance(configuration: &Configuration, residual: &[f64]) -> (f64, f64) {
+/// Moment that whatever carries the directors of two curves takes: M_c (τ − (c/h) f), f along the director's part
+/// across the curve, h and c its parts across and along.
+fn carried(configuration: &Configuration, answer: &Answer) -> [f64; 3] {
+    let rolling = configuration.pair.tangential.as_ref();
+    let directors = rolling.and_then(|own| own.rolling.as_ref()?.directors);
+    let mut sum = [0.0; 3];
+    for (c, director) in directors.iter().flatten().enumerate() {
+        let entry = |at: usize| answer.output[at];
+        let along: [f64; 3] = std::array::from_fn(|k| [1.0, -1.0][c] * entry(13 + 3 * c + k));
+        let tau = unit(along);
+        let part = dot(tau, *director);
+        let across: [f64; 3] = std::array::from_fn(|k| director[k] - part * tau[k]);
+        let slope = part / dot(across, across);
+        for k in 0..3 {
+            sum[k] += entry(21 + c) * (tau[k] - slope * across[k]);
+        }
+    }
+    sum
+}
+
+/// Sums of forces and of moments less those carried by others, relative to the largest force and the largest
+/// coordinate.
+pub(super) fn imbalance(
+    configuration: &Configuration,
+    residual: &[f64],
+    carried: [f64; 3],
+) -> (f64, f64) {
     let pair = &configuration.pair;
     let d = pair.dimension;
     let x = configuration.positions();
-    let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
+    let (mut force, mut moment) = ([0.0; 3], carried.map(|moment| -moment));
     let (mut largest, mut arm) = (0.0_f64, 0.0_f64);
     for (node, is_position) in positions(pair).into_iter().enumerate() {
         let (x, r) = (point(&x, node, d), point(residual, node, d));
@@ -186,6 +213,9 @@ fn motion(
     {
         *placement = moved_placement(placement, quaternion, &matrix, shift);
     }
+    if let Some(directors) = directors(&mut moved.pair) {
+        *directors = directors.map(|director| turned(&matrix, director));
+    }
     let found = random::call(subject, &moved, subject::Wanted::BOTH);
     let n = answer.residual.len();
     let turn = |values: &[f64]| -> Vec<f64> {
@@ -218,6 +248,12 @@ fn turned_couplings(
         rows: all(&couplings.rows),
         ..couplings.clone()
     }
+}
+
+/// Directors given with two curves: the host turns them with the curves.
+fn directors(pair: &mut Pair) -> Option<&mut [[f64; 3]; 2]> {
+    let rolling = pair.tangential.as_mut()?.rolling.as_mut()?;
+    rolling.directors.as_mut()
 }
 
 /// Q K Qᵀ by turning rows, then columns.

@@ -119,7 +119,7 @@ pub fn prove(subject: &Subject, seed: u64) -> Mutants {
                 mutants.left_out.push(entry);
                 continue;
             }
-            if let Some(reason) = unused(subject, declared.tag) {
+            if let Some(reason) = unused(subject, place, declared.tag) {
                 let entry = (declared.tag.to_string(), reason.to_string());
                 mutants.left_out.push(entry);
                 continue;
@@ -183,7 +183,7 @@ fn changes(subject: &Subject, cases: &[Case], mutation: Mutation) -> bool {
 }
 
 /// Why a term of a program that elements share does nothing in this one.
-fn unused(subject: &Subject, tag: &str) -> Option<&'static str> {
+fn unused(subject: &Subject, place: Place, tag: &str) -> Option<&'static str> {
     const SLOPES: [&str; 6] = [
         "law-slope",
         "bound-by-pressure",
@@ -199,7 +199,14 @@ fn unused(subject: &Subject, tag: &str) -> Option<&'static str> {
     if enforcement != Enforcement::Penalty && tag == "energy" {
         return Some("beside a multiplier the energy is N²/(2 N')");
     }
-    let law = subject.description.tangential?;
+    let rolls = matches!(
+        place,
+        Place::RollingLaw | Place::RollingSliding | Place::RollingResidual | Place::RollingTangent
+    );
+    let law = match subject.description.rolling {
+        Some(rolling) if rolls => rolling.law,
+        _ => subject.description.tangential?,
+    };
     let depends = |tag: &str| {
         let mut terms = law.friction.terms.iter();
         terms.any(|term| term.tag == tag && term.present)
@@ -208,7 +215,9 @@ fn unused(subject: &Subject, tag: &str) -> Option<&'static str> {
         "sliding-path" if !depends("bound-by-slip") => {
             Some("the bound does not depend on the path")
         }
-        "pressure-change" if law.sliding.is_none() => Some("the law has no bound"),
+        "pressure-change" | "rolling-pressure" if law.sliding.is_none() => {
+            Some("the law has no bound")
+        }
         _ => None,
     }
 }

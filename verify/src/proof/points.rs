@@ -20,6 +20,8 @@ const PROJECTION: usize = 4;
 const NORMAL: usize = 6;
 const TANGENTIAL: usize = 11;
 const TANGENTS: usize = 13;
+const ANGLES: usize = 19;
+const MOMENTS: usize = 21;
 
 /// A number found, the one expected, and what their difference is measured by.
 type Entry = (f64, f64, f64);
@@ -81,6 +83,7 @@ pub(super) fn error(
             entries.extend(place(&frame, expected, found));
         }
         entries.extend(remembered(&frame, expected, history, largest));
+        entries.extend(rolled(&frame, expected, found, history));
         for (found, expected, scale) in entries {
             let error = (found - expected).abs() / scale;
             worst = worst.max(if error.is_nan() { f64::INFINITY } else { error });
@@ -190,5 +193,36 @@ fn slid(frame: &Frame<'_>, expected: &PointReport, history: &[f64]) -> Vec<Entry
     let (found, exact) = (slip(zeta, anchor), slip(expected.zeta, next.anchor));
     let mut entries = vec![(path, next.slip, frame.size.max(next.slip))];
     entries.extend((0..3).map(|k| (found[k], exact[k], frame.size)));
+    entries
+}
+
+/// Angles, moments relative to the largest of the point's moments and arms, and what the angles remember; all zero
+/// where the point is not closed. Angles count up to whole turns.
+fn rolled(frame: &Frame<'_>, expected: &PointReport, found: &[f64], history: &[f64]) -> Vec<Entry> {
+    let own = history.get(2 + 2 * frame.parameters..).unwrap_or(&[]);
+    let friction = expected.friction;
+    let Some((friction, rolling)) = friction.and_then(|f| Some((f, f.rolling?))) else {
+        let silent = found[ANGLES..].iter().chain(own);
+        return silent.map(|&entry| (entry, 0.0, 1.0)).collect();
+    };
+    let arm = expected.force.abs() * frame.size;
+    let largest = rolling.moment.iter().fold(arm, |m, v| m.max(v.abs()));
+    let mut entries = Vec::new();
+    let whole = |found: f64, expected: f64| {
+        let apart = found - expected;
+        apart - std::f64::consts::TAU * (apart / std::f64::consts::TAU).round()
+    };
+    let next = friction.history.rolling;
+    let mut regime = 0.0;
+    for c in 0..2 {
+        entries.push((whole(found[ANGLES + c], rolling.angle[c]), 0.0, 1.0));
+        entries.push((found[MOMENTS + c], rolling.moment[c], largest));
+        entries.push((whole(own[c], next.anchor[c]), 0.0, 1.0));
+        entries.push((own[2 + c], next.path[c], 1.0));
+        if rolling.regime[c] == Regime::Slip {
+            regime += [1.0, 2.0][c];
+        }
+    }
+    entries.push((own[4], regime, 1.0));
     entries
 }

@@ -8,8 +8,12 @@ use serde::Serialize;
 use super::random;
 use super::{Finding, Worst, points};
 use crate::configurations::{Configuration, Generator, Stream, Wanted};
+use crate::oracle::kinematics::Frame;
 use crate::oracle::multiplier::Multipliers;
+use crate::oracle::pair::Slave;
+use crate::oracle::rolling::RollingHistory;
 use crate::oracle::solve::{self, Accepted, Evaluation, FrictionHistory, PointReport, PointStatus};
+use crate::oracle::vector::{cross, dot, scale, sub, unit};
 use crate::subject::{self, Answer, Input, Subject};
 use crate::tolerance::{SEQUENCES, relative_error};
 
@@ -19,6 +23,8 @@ const STEPS: usize = 8;
 /// Longest step along the master and along the normal, in sizes.
 const STRIDE: f64 = 0.04;
 const LIFT: f64 = 0.01;
+/// Largest turn of a curve that rolls (rad).
+const TURN: f64 = 0.3;
 
 /// What was found for one element.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -113,6 +119,7 @@ fn accept(configuration: &mut Configuration, points: &[PointReport]) {
             status: Accepted::Open,
             anchor: [0.0; 2],
             slip: 0.0,
+            rolling: RollingHistory::default(),
         },
     };
     configuration.friction = points.iter().map(history).collect();
@@ -120,6 +127,41 @@ fn accept(configuration: &mut Configuration, points: &[PointReport]) {
         *values = points.iter().map(|point| point.force).collect();
     }
     configuration.start = points.iter().map(|point| point.zeta).collect();
+}
+
+/// Turns the slave curve about the master's tangent, or about its own, so that the curves roll on one another.
+fn turn(configuration: &mut Configuration, point: &PointReport, stream: &mut Stream) {
+    let pair = configuration.pair.clone();
+    let Slave::Curve(curve) = &pair.slave else {
+        return;
+    };
+    let frame = Frame::new(
+        &pair,
+        0,
+        &configuration.reference,
+        &configuration.displacement,
+    );
+    let relative = frame.relative(&frame.nodes, point.zeta);
+    let (own, _) = curve.evaluate([point.zeta[0], 0.0], &frame.nodes.slave);
+    let (axis, pivot) = match stream.index(2) {
+        0 => (unit(relative.tangents[0]), own),
+        _ => (unit(relative.tangents[1]), sub(own, relative.position)),
+    };
+    let (sine, cosine) = (TURN * stream.uniform(-1.0, 1.0)).sin_cos();
+    let moved = |v: [f64; 3]| {
+        let across = sub(v, scale(axis, dot(axis, v)));
+        let turned = cross(axis, v);
+        [0, 1, 2].map(|k| (cosine - 1.0) * across[k] + sine * turned[k])
+    };
+    for node in 0..pair.slave_nodes() {
+        let arm = match pair.slave_is_position(node) {
+            true => sub(frame.nodes.slave[node], pivot),
+            false => frame.nodes.slave[node],
+        };
+        for (k, way) in moved(arm).into_iter().enumerate() {
+            configuration.displacement[3 * node + k] += way;
+        }
+    }
 }
 
 /// Moves the slave along the tangent plane of a closed point, and a little along its normal.
@@ -131,6 +173,9 @@ fn advance(configuration: &mut Configuration, stream: &mut Stream) {
     let Some(friction) = point.friction else {
         return;
     };
+    if friction.rolling.is_some() {
+        turn(configuration, &point, stream);
+    }
     let size = configuration.size;
     let along = [0; 2].map(|_| size * STRIDE * stream.uniform(-1.0, 1.0));
     let away = size * LIFT * stream.uniform(-1.0, 1.0);

@@ -133,7 +133,7 @@ fn frictional_errors(
         None => answer.tangent.clone(),
         Some(_) => interpreted::evaluate(subject, &input, &answer, mutation).tangent,
     };
-    let (_, moment) = super::invariance::imbalance(configuration, &answer.residual);
+    let (_, moment) = super::invariance::imbalance(configuration, &answer.residual, [0.0; 3]);
     let largest = answer.residual.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
     let report = truth.points.first()?;
     let [first, second] = report.friction?.components;

@@ -57,7 +57,9 @@ fn laws(subjects: &[Subject]) -> Vec<&'static LawPrograms> {
 /// The tangential laws of the subjects, each once.
 fn tangential_laws(subjects: &[Subject]) -> Vec<&'static TangentialLawPrograms> {
     let mut list: Vec<&TangentialLawPrograms> = vec![];
-    for law in subjects.iter().filter_map(|s| s.description.tangential) {
+    let rolling = subjects.iter().filter_map(|s| s.description.rolling);
+    let tangential = subjects.iter().filter_map(|s| s.description.tangential);
+    for law in tangential.chain(rolling.map(|own| own.law)) {
         if list.iter().all(|known| known.name != law.name) {
             list.push(law);
         }
@@ -106,6 +108,12 @@ pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
             programs.frame.as_ref(),
             programs.tangential_residual.as_ref(),
             programs.tangential_tangent.as_ref(),
+            subject.description.rolling.map(|own| &own.angle),
+            subject.description.rolling.map(|own| &own.residual),
+            subject
+                .description
+                .rolling
+                .and_then(|own| own.tangent.as_ref()),
         ]
         .into_iter()
         .flatten()

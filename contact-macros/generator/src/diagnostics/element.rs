@@ -70,7 +70,10 @@ pub fn law_as_geometry(name: &str, kind: &str, entry: &str) -> Diagnostic {
 /// A geometry where a law is meant.
 pub fn geometry_as_law(name: &str, kind: &str, entry: &str) -> Diagnostic {
     Diagnostic::new(
-        format!("`{name}` is a {kind}, but `{entry}` must be a {entry} law"),
+        format!(
+            "`{name}` is a {kind}, but `{entry}` must be a {} law",
+            kind_of_law(entry)
+        ),
         format!("name a law, such as `{}`", example_of_law(entry)),
     )
 }
@@ -78,18 +81,31 @@ pub fn geometry_as_law(name: &str, kind: &str, entry: &str) -> Diagnostic {
 /// A law of one kind where one of the other is meant.
 pub fn law_as_other_law(name: &str, kind: &str, entry: &str) -> Diagnostic {
     Diagnostic::new(
-        format!("`{name}` is a {kind} law, but `{entry}` must be a {entry} law"),
         format!(
-            "write `{kind}: {name};` and name a {entry} law here, such as `{}`",
+            "`{name}` is a {kind} law, but `{entry}` must be a {} law",
+            kind_of_law(entry)
+        ),
+        format!(
+            "write `{kind}: {name};` and name a {} law here, such as `{}`",
+            kind_of_law(entry),
             example_of_law(entry)
         ),
     )
 }
 
-/// A law for the entry `normal` or `tangential`, as hints propose it.
+/// The kind of law that an entry names: moments of rolling follow tangential laws.
+fn kind_of_law(entry: &str) -> &str {
+    match entry {
+        "rolling" => "tangential",
+        other => other,
+    }
+}
+
+/// A law for an entry, as hints propose it.
 fn example_of_law(entry: &str) -> &'static str {
     match entry {
         "normal" => "Penalty",
+        "rolling" => "RollingResistance",
         _ => "Coulomb",
     }
 }
@@ -304,5 +320,87 @@ pub fn parameter_of_both(name: &str, law: &str, other: &str) -> Diagnostic {
     Diagnostic::new(
         format!("both `{law}` and `{other}` have a parameter `{name}`"),
         "rename it in one of the two declarations: an element lists its parameters by name",
+    )
+}
+
+/// A law of rolling with two stiffnesses.
+pub fn rolling_with_axes(law: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{law}` has two axes, but an angle about a curve has none"),
+        "name a law with one stiffness, such as `RollingResistance`",
+    )
+}
+
+/// Rolling of a pair that is not two curves.
+pub fn rolling_without_curves(law: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`rolling: {law}` needs two curves, both projected"),
+        "remove `rolling`, or name two curves: `slave: Hermite; master: Hermite; gap: distance;`",
+    )
+}
+
+/// Rolling on a rigid curve.
+pub fn rolling_on_rigid_curve(law: &str, master: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`rolling: {law}` needs an interpolated master, but `{master}` is rigid"),
+        "name a curve with shape functions as `master`, and hold its nodes",
+    )
+}
+
+/// Rolling without a tangential law.
+pub fn rolling_without_friction(law: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`rolling: {law}` needs a tangential law: what slides freely does not roll"),
+        "add `tangential: Coulomb;`",
+    )
+}
+
+/// Rolling of edges.
+pub fn rolling_of_edges(law: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`rolling: {law}` needs `gap: distance`: edges do not roll"),
+        "write `gap: distance;` for beams (no sign, radii in r0)",
+    )
+}
+
+/// Rolling on the tangent plane.
+pub fn rolling_on_tangent_plane(law: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`rolling: {law}` has no `linearisation: tangent_plane`"),
+        "remove `linearisation`: the exact tangent holds at any distance",
+    )
+}
+
+/// Rolling beside a multiplier that is an unknown.
+pub fn rolling_with_multiplier(law: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`rolling: {law}` is not offered with `enforcement: multiplier`"),
+        "write `enforcement: augmented;`, or remove one of the two",
+    )
+}
+
+/// Principal normal of a curve without curvature.
+pub fn rolling_of_straight_curve(curve: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!("`{curve}` is straight and has no principal normal to measure angles from"),
+        "add `director: given;`: directions across the curves, given at run time",
+    )
+}
+
+/// Principal normal of a curve with a fourth derivative.
+pub fn rolling_of_higher_curve(curve: &str) -> Diagnostic {
+    Diagnostic::new(
+        format!(
+            "angles from the principal normal need cubic curves, but `{curve}` is of higher degree or rational"
+        ),
+        "add `director: given;`: directions across the curves, given at run time",
+    )
+}
+
+/// A director without a law of rolling.
+pub fn director_without_rolling() -> Diagnostic {
+    Diagnostic::new(
+        "`director` belongs to a law of rolling, but the element has none",
+        "add `rolling: RollingResistance;`, or remove `director`",
     )
 }

@@ -28,7 +28,8 @@ fn imports() -> TokenStream {
         #[allow(unused_imports)]
         use ::contact_elements::program::{
             AxisDescription, ElementDescription, ElementPrograms, GeometryPrograms, LawPrograms,
-            MasterDescription, Operation, Program, SlaveDescription, TangentialLawPrograms, Term,
+            MasterDescription, Operation, Program, RollingDescription, SlaveDescription,
+            TangentialLawPrograms, Term,
         };
         #[allow(unused_imports)]
         use ::contact_elements::runtime;

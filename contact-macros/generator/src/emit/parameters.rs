@@ -1,11 +1,21 @@
-//! The parameter list of an element: laws, offset, orientation, geometry, weights, point, axis,
+//! The parameter list of an element: laws, offset, orientation, geometry, weights, point, axis, directors,
 //! placement.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::number;
-use crate::model::{Axis, Body, Element, Gap, Geometry, Master, Parameter, Rule, Slave};
+use crate::model::{Axis, Body, Element, Gap, Geometry, Master, Parameter, Reference, Rule, Slave};
+
+/// Directions from which the angles about two curves are measured.
+const DIRECTORS: [&str; 6] = [
+    "slave_director_x",
+    "slave_director_y",
+    "slave_director_z",
+    "master_director_x",
+    "master_director_y",
+    "master_director_z",
+];
 
 /// One parameter as the descriptor shows it.
 pub struct Entry {
@@ -26,6 +36,7 @@ pub struct Parameters {
     /// All entries in order.
     pub entries: Vec<Entry>,
     tangential: usize,
+    rolling: usize,
     r0: usize,
     orientation: Option<usize>,
     geometry: usize,
@@ -33,6 +44,7 @@ pub struct Parameters {
     slave_weights: usize,
     point: usize,
     axis: Option<usize>,
+    directors: Option<usize>,
     placement: Option<usize>,
 }
 
@@ -48,6 +60,9 @@ impl Parameters {
                 .flat_map(|t| &t.law.parameters)
                 .map(declared),
         );
+        let rolling = entries.len();
+        let rolls = element.rolling.iter();
+        entries.extend(rolls.flat_map(|r| &r.law.parameters).map(declared));
         let infinity = f64::INFINITY;
         let signed = element.gap == Gap::Signed;
         let lowest = if signed { -infinity } else { 0.0 };
@@ -87,6 +102,13 @@ impl Parameters {
         if axis.is_some() {
             entries.extend(["axis_1", "axis_2"].map(|name| free(name, "1", -infinity, infinity)));
         }
+        let given = element.rolling.as_ref();
+        let directors = given
+            .is_some_and(|rolling| rolling.reference == Reference::Director)
+            .then_some(entries.len());
+        if directors.is_some() {
+            entries.extend(DIRECTORS.map(|name| free(name, "1", -infinity, infinity)));
+        }
         let placement = placed.then_some(entries.len());
         if placed {
             entries.extend(placement_entries(element.dimension));
@@ -94,6 +116,7 @@ impl Parameters {
         Self {
             entries,
             tangential,
+            rolling,
             r0,
             orientation,
             geometry,
@@ -101,8 +124,19 @@ impl Parameters {
             slave_weights,
             point,
             axis,
+            directors,
             placement,
         }
+    }
+
+    /// Offset of the parameters of the law of rolling.
+    pub fn rolling(&self) -> usize {
+        self.rolling
+    }
+
+    /// Offset of the directors of two curves.
+    pub fn directors(&self) -> Option<usize> {
+        self.directors
     }
 
     /// Offset of the geometry's parameters.

@@ -168,6 +168,8 @@ pub(super) struct Sliding {
     pub(super) third: Vec<NodeId>,
     pub(super) slip: Vec<NodeId>,
     pub(super) t: Vec<NodeId>,
+    /// What multiplies δζ̂^q: t_q, with rolling also the share of the moments.
+    pub(super) force: Vec<NodeId>,
     /// C_qr = ∂t_q/∂s_r
     pub(super) c: Vec<Vec<NodeId>>,
     /// h_q = ∂t_q/∂p
@@ -178,7 +180,12 @@ pub(super) struct Sliding {
 }
 
 impl Sliding {
-    pub(super) fn new(program: &mut Program, contact: &Contact, axis: Option<Axis>) -> Self {
+    pub(super) fn new(
+        program: &mut Program,
+        contact: &Contact,
+        axis: Option<Axis>,
+        rolls: bool,
+    ) -> Self {
         let (d, p) = (contact.d, contact.p);
         let third: Vec<Vector> = (0..third_derivatives(p))
             .map(|k| program.input_vector(&format!("third_{k}"), d))
@@ -190,6 +197,11 @@ impl Sliding {
             .collect();
         let h = program.input_vector("h", p).0;
         let slope = program.input("slope");
+        let force = if rolls {
+            program.input_vector("force", p).0
+        } else {
+            t.clone()
+        };
         let slave_tangent =
             (axis == Some(Axis::Slave)).then(|| program.input_vector("slave_tangent", d));
         let third = framed_third(&mut program.graph, contact, &third);
@@ -197,6 +209,7 @@ impl Sliding {
             third,
             slip,
             t,
+            force,
             c,
             h,
             slope,

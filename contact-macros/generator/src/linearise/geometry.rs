@@ -92,6 +92,13 @@ pub fn curved(geometry: &Geometry) -> Vec<bool> {
         .collect()
 }
 
+/// Whether the third derivative of a curve can be non-zero.
+pub fn has_third(curve: &Geometry) -> bool {
+    let program = shape_third_program(curve);
+    let mut outputs = program.outputs.iter();
+    outputs.any(|&(_, id)| !program.graph.is(id, 0.0))
+}
+
 /// The period of each parameter of a rigid geometry: 2π where the position at a few samples repeats, else 0.
 /// A closed projection gives an angle up to whole turns; with the period the turn nearest to the start is
 /// found.

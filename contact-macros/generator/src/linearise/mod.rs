@@ -16,6 +16,10 @@
 //! | `sliding` | stiffness, bound, return to the bound | [eq:trial] [eq:return-map] [eq:ellipse] |
 //! | `tangential` | residual and tangent of tangential contact | [eq:tangential-residual] [eq:tangential-tangent] [eq:via-surface] [eq:via-curve] |
 //! | `contact` | the contact point and its slip in that frame, for `tangential` | [eq:F] |
+//! | `rolling` | angles about two curves, residual of their moments | [eq:rolling-angle] [eq:rolling-residual] |
+//! | `turning` | tangent of those moments | [eq:rolling-tangent] |
+//! | `curves` | the two curves, for `rolling` and `turning` | [eq:rolling-angle] |
+//! | `motion` | linear forms that `turning` is written in | none |
 //! | `row` | linear forms that `tangential` is written in | none |
 //! | `measure` | Jacobian of the slave and its variation | [eq:measure] |
 //! | `divisors` | what another program divides by | none |
@@ -25,6 +29,7 @@
 
 mod basis;
 mod contact;
+mod curves;
 pub mod distance;
 pub mod divisors;
 pub mod frame;
@@ -32,10 +37,13 @@ pub mod gap;
 pub mod geometry;
 pub mod law;
 pub mod measure;
+mod motion;
 pub mod normal;
+pub mod rolling;
 mod row;
 pub mod sliding;
 pub mod tangential;
+pub mod turning;
 
 use crate::model::Linearisation;
 

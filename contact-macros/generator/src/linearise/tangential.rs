@@ -61,11 +61,12 @@ pub fn residual_program(kinematics: &Kinematics) -> Program {
     program
 }
 
-/// n, L, b_i, r_,ij, E, r_,ijk, s, t, C, h, N' → forms Z, P, G and τ.
-pub fn tangent_program(kinematics: &Kinematics, axis: Option<Axis>) -> Program {
+/// n, L, b_i, r_,ij, E, r_,ijk, s, t, C, h, N' → forms Z, P, G and τ; `rolls`: what multiplies δζ̂ comes too,
+/// t with the share of the moments [eq:rolling-share].
+pub fn tangent_program(kinematics: &Kinematics, axis: Option<Axis>, rolls: bool) -> Program {
     let mut program = Program::new("tangential_tangent");
     let contact = Contact::new(&mut program, kinematics);
-    let sliding = Sliding::new(&mut program, &contact, axis);
+    let sliding = Sliding::new(&mut program, &contact, axis, rolls);
     let z = projection(&mut program.graph, &contact);
     let strain = metric(&mut program.graph, &contact, &z);
     let axes = axes(&mut program, &contact, &sliding, &z, &strain, axis);
@@ -90,7 +91,7 @@ pub fn tangent_program(kinematics: &Kinematics, axis: Option<Axis>) -> Program {
 }
 
 /// Z_q = −m_qr (e_r·δr + L n·δr_,r) [eq:variation]
-fn projection(graph: &mut Graph, contact: &Contact) -> Vec<Form> {
+pub(super) fn projection(graph: &mut Graph, contact: &Contact) -> Vec<Form> {
     let (d, p) = (contact.d, contact.p);
     (0..p)
         .map(|q| {
@@ -234,12 +235,12 @@ fn second_variation(program: &mut Program, contact: &Contact, sliding: &Sliding)
     let still = "the tangents do not rotate with any unknown";
     let position = program.terms(
         "Q-position",
-        &sliding.t,
+        &sliding.force,
         "no curvature along the projection",
     );
-    let outer = program.terms("Q-tangent", &sliding.t, still);
-    let inner = program.terms("Q-turning", &sliding.t, still);
-    let bending = program.terms("Q-bending", &sliding.t, still);
+    let outer = program.terms("Q-tangent", &sliding.force, still);
+    let inner = program.terms("Q-turning", &sliding.force, still);
+    let bending = program.terms("Q-bending", &sliding.force, still);
     let graph = &mut program.graph;
     let [position, outer, inner, bending] =
         [position, outer, inner, bending].map(|t| contact.raised(graph, &t));
@@ -273,12 +274,12 @@ fn hessian(
     let p = contact.p;
     let second = program.terms(
         "Y-second",
-        &sliding.t,
+        &sliding.force,
         "no curvature within the tangent plane",
     );
     let third = program.terms(
         "Y-third",
-        &sliding.t,
+        &sliding.force,
         "no third derivative along the normal",
     );
     let graph = &mut program.graph;
@@ -308,7 +309,7 @@ fn hessian(
 fn cross(program: &mut Program, contact: &Contact, sliding: &Sliding) -> Vec<NodeId> {
     let t = program.terms(
         "cross",
-        &sliding.t,
+        &sliding.force,
         "the tangents do not rotate with any unknown",
     );
     let graph = &mut program.graph;

@@ -4,25 +4,28 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::law_entries::{WrittenAxis, check_parameters, check_tangential, normal, tangential};
+use super::law_entries::{WrittenAxis, check_parameters, check_tangential, normal, tangential_law};
 use super::numeric;
 use super::pair::{Side, check_pair, master, only_gap, plain, slave};
 use super::registry::Registry;
+use super::rolling::check_reference;
 use super::types::{
-    Axis, Element, Enforcement, Gap, Law, Linearisation, Master, Measure, Slave, Tangential,
-    TangentialLaw,
+    Axis, Element, Enforcement, Gap, Law, Linearisation, Master, Measure, Reference, Rolling,
+    Slave, Tangential, TangentialLaw,
 };
 use crate::diagnostics::{Mistakes, element as messages, names};
 use crate::syntax::{self, ElementItem, Word};
 
 /// The entries of an element, in the order of the documentation.
-const ENTRIES: [&str; 11] = [
+const ENTRIES: [&str; 13] = [
     "dimension",
     "slave",
     "master",
     "normal",
     "tangential",
     "axis",
+    "rolling",
+    "director",
     "enforcement",
     "gap",
     "linearisation",
@@ -50,7 +53,10 @@ pub(super) fn element(
         .and_then(|entry| normal(entry, registry, mistakes));
     let tangential = entries
         .get("tangential")
-        .and_then(|entry| tangential(entry, registry, mistakes));
+        .and_then(|entry| tangential_law(entry, "tangential", registry, mistakes));
+    let rolling = entries
+        .get("rolling")
+        .and_then(|entry| tangential_law(entry, "rolling", registry, mistakes));
     let pair = match (dimension, &slave, &master) {
         (Some(dimension), Some(slave), Some(master))
             if check_pair(dimension, slave, master, mistakes) =>
@@ -59,12 +65,17 @@ pub(super) fn element(
         }
         _ => None,
     };
-    check_parameters(master.as_ref(), law.as_ref(), tangential.as_ref(), mistakes);
+    let laws = [tangential.as_ref(), rolling.as_ref()];
+    check_parameters(master.as_ref(), law.as_ref(), laws, mistakes);
     let axis = entries.axis(tangential.as_ref(), pair, mistakes);
     let enforcement = entries.enforcement(law.as_ref(), mistakes);
     let gap = entries.gap(pair, mistakes);
     let linearisation = entries.linearisation(master.as_ref(), mistakes);
     let measure = entries.measure(slave.as_ref(), enforcement, mistakes);
+    let reference = entries.reference(rolling.as_ref(), pair, mistakes);
+    let linearised = linearisation.as_ref().map(|chosen| chosen.what);
+    let choices = (gap, linearised, enforcement);
+    entries.check_rolling(rolling.as_ref(), choices, mistakes);
     let residual_only = entries.outputs(linearisation.as_ref(), mistakes);
     if mistakes.count() > before || !item.complete {
         return None;
@@ -81,6 +92,13 @@ pub(super) fn element(
             axis,
         }),
         enforcement: enforcement?,
+        rolling: match rolling {
+            Some(law) => Some(Rolling {
+                law: law.what,
+                reference: reference?,
+            }),
+            None => None,
+        },
         gap: gap?,
         linearisation: linearisation?.what,
         measure: measure?,
@@ -216,6 +234,55 @@ impl<'a> Entries<'a> {
             mistakes.report(span, message);
         }
         Some(chosen)
+    }
+
+    /// From where the angles are measured; `None` after a mistake.
+    fn reference(
+        &self,
+        law: Option<&Side<Rc<TangentialLaw>>>,
+        pair: Option<(usize, &Slave, &Master)>,
+        mistakes: &mut Mistakes,
+    ) -> Option<Reference> {
+        let choices = [
+            ("principal_normal", Reference::PrincipalNormal),
+            ("given", Reference::Director),
+        ];
+        let (reference, span) = self.choice("director", choices, mistakes)?;
+        match (law, span) {
+            (Some(law), _) => check_reference(law, reference, pair, mistakes),
+            (None, Some(span)) if self.get("rolling").is_none() && self.is_whole() => {
+                mistakes.report(span, messages::director_without_rolling());
+            }
+            _ => {}
+        }
+        Some(reference)
+    }
+
+    /// What a law of rolling needs of the other entries.
+    fn check_rolling(
+        &self,
+        law: Option<&Side<Rc<TangentialLaw>>>,
+        (gap, linearisation, enforcement): (
+            Option<Gap>,
+            Option<Linearisation>,
+            Option<Enforcement>,
+        ),
+        mistakes: &mut Mistakes,
+    ) {
+        let Some(law) = law else { return };
+        let name = law.what.name.to_string();
+        if self.get("tangential").is_none() && self.is_whole() {
+            mistakes.report(law.span, messages::rolling_without_friction(&name));
+        }
+        if gap == Some(Gap::Signed) {
+            mistakes.report(law.span, messages::rolling_of_edges(&name));
+        }
+        if linearisation == Some(Linearisation::TangentPlane) {
+            mistakes.report(law.span, messages::rolling_on_tangent_plane(&name));
+        }
+        if enforcement == Some(Enforcement::Multiplier) {
+            mistakes.report(law.span, messages::rolling_with_multiplier(&name));
+        }
     }
 
     fn gap(&self, pair: Option<(usize, &Slave, &Master)>, mistakes: &mut Mistakes) -> Option<Gap> {

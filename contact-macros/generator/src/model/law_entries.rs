@@ -1,4 +1,4 @@
-//! The laws that an element names: `normal`, `tangential` and its `axis`.
+//! The laws that an element names: `normal`, `tangential` and its `axis`, `rolling`.
 
 use std::rc::Rc;
 
@@ -31,9 +31,10 @@ pub(super) fn normal(
     }
 }
 
-/// The tangential law; `None` after a mistake.
-pub(super) fn tangential(
+/// The tangential law of the entry `key`, `tangential` or `rolling`; `None` after a mistake.
+pub(super) fn tangential_law(
     entry: &syntax::Entry,
+    key: &str,
     registry: &Registry,
     mistakes: &mut Mistakes,
 ) -> Option<Side<Rc<TangentialLaw>>> {
@@ -46,7 +47,7 @@ pub(super) fn tangential(
         }),
         other => {
             let known = registry.tangential_laws();
-            not_the_law(name, other, "tangential", &known, mistakes);
+            not_the_law(name, other, key, &known, mistakes);
             None
         }
     }
@@ -77,7 +78,7 @@ fn not_the_law(
 pub(super) fn check_parameters(
     master: Option<&Side<Master>>,
     normal: Option<&Side<Rc<Law>>>,
-    tangential: Option<&Side<Rc<TangentialLaw>>>,
+    tangential: [Option<&Side<Rc<TangentialLaw>>>; 2],
     mistakes: &mut Mistakes,
 ) {
     let geometry = master.and_then(|master| master.what.geometry());
@@ -86,6 +87,7 @@ pub(super) fn check_parameters(
         .into_iter()
         .collect();
     let normal = normal.map(|law| (&law.what.name, law.what.parameters.as_slice(), law.span));
+    let tangential = tangential.into_iter().flatten();
     let tangential =
         tangential.map(|law| (&law.what.name, law.what.parameters.as_slice(), law.span));
     for (law, parameters, span) in normal.into_iter().chain(tangential) {

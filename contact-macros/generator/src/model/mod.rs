@@ -9,7 +9,7 @@
 //! | what do names of items stand for? | `registry` |
 //! | what do names in expressions stand for? | `scope`, `expression` |
 //! | which fields does a block have? | `fields` |
-//! | is this a geometry, a law, an element? | `geometry` (`domain`), `law`, `tangential`, `element` (`pair`, `rule`, `law_entries`) |
+//! | is this a geometry, a law, an element? | `geometry` (`domain`), `law`, `tangential`, `element` (`pair`, `rule`, `law_entries`, `rolling`) |
 //! | which parameters are there? | `parameter` |
 //! | do the numbers agree? | `numeric` |
 
@@ -24,6 +24,7 @@ mod numeric;
 mod pair;
 mod parameter;
 mod registry;
+mod rolling;
 mod rule;
 mod scope;
 mod tangential;
@@ -37,7 +38,8 @@ pub use expression::{BinaryOperator, Expr, Function};
 pub use parameter::{RESERVED, RESERVED_PREFIXES};
 pub use types::{
     Axis, Body, Bound, ClosedProjection, Domain, Element, Enforcement, Gap, Geometry, Law,
-    Linearisation, Master, Measure, Model, Parameter, Rule, Slave, Tangential, TangentialLaw,
+    Linearisation, Master, Measure, Model, Parameter, Reference, Rolling, Rule, Slave, Tangential,
+    TangentialLaw,
 };
 
 use crate::diagnostics::Mistakes;

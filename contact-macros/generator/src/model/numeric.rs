@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use syn::Ident;
 
 use super::expression::Expr;
-use super::types::{Body, Bound, Geometry, Law, Parameter};
+use super::types::{Body, Bound, Domain, Geometry, Law, Parameter};
 use crate::diagnostics::{Diagnostic, geometry, law, short};
 
 /// Values of names.
@@ -147,6 +147,57 @@ pub(super) fn is_spring(law: &Law) -> bool {
         && [-2.7, -1.3, -0.4, -0.01, 0.3, 1.9]
             .into_iter()
             .all(is_linear)
+}
+
+/// What a curve by shape functions is as a polynomial of its coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Degree {
+    /// At most linear: its second derivative vanishes.
+    Straight,
+    /// Its fourth derivative vanishes.
+    Cubic,
+    /// Anything else, rational curves too.
+    Higher,
+}
+
+/// The least degree whose interpolation meets the shape functions at points in between.
+pub(super) fn degree(curve: &Geometry) -> Degree {
+    let (
+        Body::Shape {
+            functions,
+            rational: false,
+            ..
+        },
+        Domain::Interval(lower, upper),
+    ) = (&curve.body, curve.domain)
+    else {
+        return Degree::Higher;
+    };
+    let at = |function: &Expr, t: f64| {
+        let mut values = Values::new();
+        let point = [lower + (upper - lower) * t];
+        extend(&mut values, &curve.coordinates, &point, &curve.bindings);
+        evaluate(function, &values)
+    };
+    let meets = |function: &Expr, nodes: &[f64]| {
+        [0.07, 0.31, 0.58, 0.83].into_iter().all(|t| {
+            let weight = |a: f64| {
+                let others = nodes.iter().filter(|&&b| b != a);
+                others.map(|b| (t - b) / (a - b)).product::<f64>()
+            };
+            let terms: Vec<f64> = nodes.iter().map(|&a| weight(a) * at(function, a)).collect();
+            let scale = terms.iter().fold(1e-300, |s: f64, term| s.max(term.abs()));
+            (terms.iter().sum::<f64>() - at(function, t)).abs() <= 1e-10 * scale
+        })
+    };
+    let all = |nodes: &[f64]| functions.iter().all(|function| meets(function, nodes));
+    if all(&[0.1, 0.9]) {
+        Degree::Straight
+    } else if all(&[0.02, 0.22, 0.69, 0.98]) {
+        Degree::Cubic
+    } else {
+        Degree::Higher
+    }
 }
 
 /// The traction is the derivative of the energy.

@@ -27,8 +27,13 @@ pub const RESERVED: [&str; 16] = [
     "direction_y",
 ];
 
-/// Beginnings of such names: the weights of rational geometries are numbered.
-pub const RESERVED_PREFIXES: [&str; 2] = ["master_weight_", "slave_weight_"];
+/// Beginnings of such names: numbered weights of rational geometries, components of directors.
+pub const RESERVED_PREFIXES: [&str; 4] = [
+    "master_weight_",
+    "slave_weight_",
+    "master_director_",
+    "slave_director_",
+];
 
 /// Declares the parameters in the scope and checks names and ranges.
 pub(super) fn parameters(

@@ -169,6 +169,24 @@ pub struct Tangential {
     pub axis: Option<Axis>,
 }
 
+/// The moments of an element about its two curves.
+#[derive(Debug, Clone)]
+pub struct Rolling {
+    /// The law of either moment: its slip is an angle.
+    pub law: Rc<TangentialLaw>,
+    /// What the angles are measured from.
+    pub reference: Reference,
+}
+
+/// From where the angle of the shortest distance about a curve is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reference {
+    /// The curve's principal normal.
+    PrincipalNormal,
+    /// A direction given at run time.
+    Director,
+}
+
 /// Where the first axis of an orthotropic law points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Axis {
@@ -197,6 +215,8 @@ pub struct Element {
     pub tangential: Option<Tangential>,
     /// How the normal law holds the bodies apart.
     pub enforcement: Enforcement,
+    /// Moments about two curves; none: they roll freely.
+    pub rolling: Option<Rolling>,
     /// How the gap is measured.
     pub gap: Gap,
     /// Which linearisation of the gap the tangent uses.

@@ -7,8 +7,8 @@ mod _element_pointpoint2d {
     #[allow(unused_imports)]
     use ::contact_elements::program::{
         AxisDescription, ElementDescription, ElementPrograms, GeometryPrograms,
-        LawPrograms, MasterDescription, Operation, Program, SlaveDescription,
-        TangentialLawPrograms, Term,
+        LawPrograms, MasterDescription, Operation, Program, RollingDescription,
+        SlaveDescription, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -350,6 +350,7 @@ mod _element_pointpoint2d {
             law: &::contact_elements::laws::Penalty::PROGRAMS,
             tangential: None,
             axis: AxisDescription::None,
+            rolling: None,
             placed: false,
             signed: false,
             tangent_plane: false,

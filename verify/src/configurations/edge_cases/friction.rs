@@ -3,6 +3,7 @@
 use super::{EdgeCase, Expected, pair, shape};
 use crate::oracle::geometry::{Interpolation, Placement, RigidParametric, Shape};
 use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Slave};
+use crate::oracle::rolling::RollingHistory;
 use crate::oracle::solve::{Accepted, FrictionHistory};
 use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
 
@@ -42,6 +43,7 @@ fn anchored(status: Accepted, anchor: [f64; 2]) -> Vec<FrictionHistory> {
         status,
         anchor,
         slip,
+        rolling: RollingHistory::default(),
     }]
 }
 

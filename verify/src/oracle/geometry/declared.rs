@@ -154,4 +154,6 @@ evaluators! {
     HyperDual64, row_hyper, point_hyper, distance_hyper;
     Dual<Dual64>, row_nested_dual, point_nested_dual, distance_nested_dual;
     Dual<HyperDual64>, row_nested_hyper, point_nested_hyper, distance_nested_hyper;
+    Dual<Dual<Dual64>>, row_twice_nested_dual, point_twice_nested_dual, distance_twice_nested_dual;
+    Dual<Dual<HyperDual64>>, row_twice_nested_hyper, point_twice_nested_hyper, distance_twice_nested_hyper;
 }

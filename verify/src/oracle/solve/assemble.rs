@@ -212,8 +212,10 @@ impl<'a> Contribution<'a> {
 
     #[inline]
     fn jet(&self, sweep: &mut Sweep, first: Seed<'_>, second: Seed<'_>) -> Jet {
-        let HyperPoint { gap, zeta, .. } = self.point.hyper(sweep, first, second);
-        Jet { gap, zeta }
+        let HyperPoint {
+            gap, zeta, angles, ..
+        } = self.point.hyper(sweep, first, second);
+        Jet { gap, zeta, angles }
     }
 
     /// Derivative along the second seed of the residual along the first; `slopes` are derivatives
@@ -222,7 +224,8 @@ impl<'a> Contribution<'a> {
     fn second(&self, jet: &Jet, slopes: &Slopes) -> f64 {
         let normal = self.normal(jet.gap, slopes.measure);
         self.friction.as_ref().map_or(normal, |friction| {
-            let along = friction.along(slopes.traction, jet.zeta);
+            let along = friction.along(slopes.traction, jet.zeta)
+                + friction.along_angles(slopes.moment, jet.angles);
             normal + self.weight * (along * Dual64::new(self.measure, slopes.measure)).eps
         })
     }
@@ -242,10 +245,11 @@ impl<'a> Contribution<'a> {
     }
 }
 
-/// Gap and projected parameters with derivatives along two seeds.
+/// Gap, projected parameters and angles about two curves with derivatives along two seeds.
 struct Jet {
     gap: HyperDual64,
     zeta: [HyperDual64; 2],
+    angles: [HyperDual64; 2],
 }
 
 impl Jet {
@@ -255,14 +259,16 @@ impl Jet {
         Self {
             gap: swap(self.gap),
             zeta: self.zeta.map(swap),
+            angles: self.angles.map(swap),
         }
     }
 }
 
-/// Derivatives along the second of two seeds: of the measure and of T_i.
+/// Derivatives along the second of two seeds: of the measure, of T_i and of M_c.
 struct Slopes {
     measure: f64,
     traction: [f64; 2],
+    moment: [f64; 2],
 }
 
 impl Slopes {
@@ -270,6 +276,7 @@ impl Slopes {
         Self {
             measure: of.measure_gradient[j],
             traction: of.friction.as_ref().map_or([0.0; 2], |f| f.slope(j)),
+            moment: of.friction.as_ref().map_or([0.0; 2], |f| f.moment_slope(j)),
         }
     }
 
@@ -279,6 +286,7 @@ impl Slopes {
         Self {
             measure: slopes.map(|(j, d)| j * d).sum(),
             traction: friction.map_or([0.0; 2], |f| f.slope_along(direction)),
+            moment: friction.map_or([0.0; 2], |f| f.moment_slope_along(direction)),
         }
     }
 }

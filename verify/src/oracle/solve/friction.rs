@@ -6,9 +6,11 @@
 use num_dual::{Dual64, HyperDual64};
 
 use super::point::PointSolution;
+use super::rolling::{self, Moments, RollingReport};
 use super::{PointReport, PointStatus};
 use crate::oracle::error::OracleError;
 use crate::oracle::kinematics::{Frame, Nodes};
+use crate::oracle::rolling::RollingHistory;
 use crate::oracle::tangential::return_map::{Loading, Regime, traction, utilisation};
 use crate::oracle::tangential::{Axis, Tangential};
 use crate::oracle::vector::{constant, cross, dot, scale, sub, unit};
@@ -33,6 +35,8 @@ pub struct FrictionHistory {
     pub anchor: [f64; 2],
     /// Path slipped so far (length).
     pub slip: f64,
+    /// Angles about two curves.
+    pub rolling: RollingHistory,
 }
 
 /// Friction of a closed point.
@@ -52,6 +56,8 @@ pub struct FrictionReport {
     pub axes: [[f64; 3]; 2],
     /// Energy of the spring, `Σ t_q² / (2 e_q)`.
     pub energy: f64,
+    /// Moments about two curves.
+    pub rolling: Option<RollingReport>,
     /// What to remember if this state is accepted.
     pub history: FrictionHistory,
 }
@@ -119,6 +125,7 @@ fn remembered(history: Option<&FrictionHistory>, zeta: [f64; 2]) -> FrictionHist
             status: Accepted::Stick,
             anchor: zeta,
             slip: 0.0,
+            rolling: RollingHistory::default(),
         },
     }
 }
@@ -139,12 +146,15 @@ pub(super) fn judge(
         Nodes::lifted(&frame.nodes),
         report.zeta.map(Dual64::from_re),
     );
+    let accepted = history.filter(|history| history.status != Accepted::Open);
     let history = remembered(history, report.zeta);
     let Some(loading) = loading(frame, &nodes, zeta, &history, 0.0) else {
         report.status = PointStatus::Degenerate;
         return;
     };
-    report.friction = Some(describe(frame, tangential, &loading, &history, report.zeta));
+    let mut friction = describe(frame, tangential, &loading, &history, report.zeta);
+    rolling::judge(frame, accepted, &mut friction, report);
+    report.friction = Some(friction);
 }
 
 fn describe(
@@ -180,6 +190,7 @@ fn describe(
         components: axes.map(|axis| dot(vector, axis)),
         axes,
         energy: traction.energy,
+        rolling: None,
         history: next,
     }
 }
@@ -195,6 +206,8 @@ pub(super) struct Friction {
     carrier: Vec<[f64; 2]>,
     /// dT_i by the multiplier.
     by_multiplier: [f64; 2],
+    /// Moments about two curves.
+    rolling: Option<Moments>,
 }
 
 impl Friction {
@@ -228,13 +241,43 @@ impl Friction {
             gradient,
             carrier,
             by_multiplier,
+            rolling: Moments::new(point, history),
         }))
     }
 
-    /// `T_i dζ^i` along unknown `i`.
+    /// `T_i dζ^i + M_c dφ_c` along unknown `i`.
     pub(super) fn first(&self, i: usize) -> f64 {
         let [t, dz] = [self.covariant, self.carrier[i]];
-        t[0] * dz[0] + t[1] * dz[1]
+        let rolling = self
+            .rolling
+            .as_ref()
+            .map_or(0.0, |moments| moments.first(i));
+        t[0] * dz[0] + t[1] * dz[1] + rolling
+    }
+
+    /// `M_c dφ_c` along the first seed of the angles, with its derivative along the second; `slope` is that of
+    /// M_c.
+    pub(super) fn along_angles(&self, slope: [f64; 2], angles: [HyperDual64; 2]) -> Dual64 {
+        let moments = self.rolling.as_ref();
+        moments.map_or(Dual64::from_re(0.0), |moments| moments.along(slope, angles))
+    }
+
+    /// dM_c along unknown `j`.
+    pub(super) fn moment_slope(&self, j: usize) -> [f64; 2] {
+        self.rolling
+            .as_ref()
+            .map_or([0.0; 2], |moments| moments.slope(j))
+    }
+
+    /// dM_c along a direction.
+    pub(super) fn moment_slope_along(&self, direction: &[f64]) -> [f64; 2] {
+        let mut sum = [0.0; 2];
+        for (j, d) in direction.iter().enumerate() {
+            let slope = self.moment_slope(j);
+            sum[0] += slope[0] * d;
+            sum[1] += slope[1] * d;
+        }
+        sum
     }
 
     /// The exact `T_k dζ^k` along the first seed of `zeta`, with its derivative along the second;

@@ -7,16 +7,19 @@
 //!
 //! Where the law has an energy and the measure does not move, residual and tangent are gradient
 //! and Hessian of `Σ_q w_q J_q W(g_q)`. Otherwise the residual is `Σ_q w_q J_q N(g_q) dg_q`, `dg`
-//! from the hyper-dual gap, and the tangent its derivative. Friction adds `Σ_q w_q J_q T_i dζ^i`.
+//! from the hyper-dual gap, and the tangent its derivative. Friction adds `Σ_q w_q J_q T_i dζ^i`, rolling
+//! `Σ_q w_q J_q M_c dφ_c`.
 
 mod assemble;
 mod couplings;
 mod friction;
 mod point;
+mod rolling;
 
 pub use assemble::{energy, evaluate, reports, residual, tangent_times};
 pub use friction::{Accepted, FrictionHistory, FrictionReport};
 pub use point::{HyperPoint, PointSolution, Seed, Sweep};
+pub use rolling::RollingReport;
 
 use num_dual::Dual64;
 

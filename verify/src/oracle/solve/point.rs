@@ -11,6 +11,7 @@ use super::PointReport;
 use crate::oracle::kinematics::{Frame, Nodes, Relative};
 use crate::oracle::number::Base;
 use crate::oracle::projection::Root;
+use crate::oracle::rolling::angles;
 use crate::oracle::vector::dot;
 
 /// A direction in the space of unknowns.
@@ -31,6 +32,8 @@ pub struct HyperPoint {
     pub relative: Relative<HyperDual64>,
     /// Gap.
     pub gap: HyperDual64,
+    /// Angles about two curves; zero without rolling.
+    pub angles: [HyperDual64; 2],
 }
 
 /// Node positions in hyper-dual numbers, reused from sweep to sweep.
@@ -52,6 +55,8 @@ pub struct PointSolution<'a> {
     pub gap_gradient: Vec<f64>,
     /// Gradient of the projected parameters, one entry per unknown.
     pub zeta_gradient: Vec<[f64; 2]>,
+    /// Gradient of the angles about two curves, one entry per unknown; zero without rolling.
+    pub angle_gradient: Vec<[f64; 2]>,
 }
 
 /// `z - F⁻¹ f` with the constant matrix of the converged projection.
@@ -72,6 +77,16 @@ fn chord<D: Base>(frame: &Frame<'_>, root: &Root, nodes: &Nodes<D>, z: [D; 2]) -
     ]
 }
 
+/// Angles about the two curves of a pair with rolling.
+#[inline]
+fn rolled<D: Base>(frame: &Frame<'_>, nodes: &Nodes<D>, z: [D; 2]) -> Option<[D; 2]>
+where
+    D::Nested: Base,
+{
+    let rolling = frame.pair.tangential.as_ref()?.rolling.as_ref()?;
+    angles(frame, nodes, z, rolling.directors)
+}
+
 impl<'a> PointSolution<'a> {
     /// Completes a converged projection by its first derivatives.
     pub(super) fn new(frame: Frame<'a>, root: Root, report: PointReport) -> Self {
@@ -82,6 +97,7 @@ impl<'a> PointSolution<'a> {
             report,
             gap_gradient: vec![0.0; unknowns],
             zeta_gradient: vec![[0.0; 2]; unknowns],
+            angle_gradient: vec![[0.0; 2]; unknowns],
         };
         let mut nodes = Nodes::<Dual64>::lifted(&solution.frame.nodes);
         for i in 0..unknowns {
@@ -89,9 +105,13 @@ impl<'a> PointSolution<'a> {
             frame.unknown(&mut nodes, i).eps = 1.0;
             let z = chord(frame, &root, &nodes, root.z.map(Dual64::from_re));
             let gap = frame.gap(&frame.relative(&nodes, z));
+            let angles = rolled(frame, &nodes, z);
             frame.unknown(&mut nodes, i).eps = 0.0;
             solution.gap_gradient[i] = gap.eps;
             solution.zeta_gradient[i] = z.map(|z| z.eps);
+            if let Some(angles) = angles {
+                solution.angle_gradient[i] = angles.map(|angle| angle.eps);
+            }
         }
         solution
     }
@@ -114,12 +134,15 @@ impl<'a> PointSolution<'a> {
         let zeta = chord(&self.frame, &self.root, nodes, z);
         let relative = self.frame.relative(nodes, zeta);
         let gap = self.frame.gap(&relative);
+        let none = [HyperDual64::from_re(0.0); 2];
+        let angles = rolled(&self.frame, nodes, zeta).unwrap_or(none);
         self.clear(nodes, first, |entry| entry.eps1 = 0.0);
         self.clear(nodes, second, |entry| entry.eps2 = 0.0);
         HyperPoint {
             zeta,
             relative,
             gap,
+            angles,
         }
     }
 

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use num_dual::{Dual64, DualNum};
 
 use super::pair::{Pair, Slave};
+use super::rolling::Rolling;
 
 /// Where the first axis of a law with two stiffnesses points; the second is `n × d_1`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,6 +112,8 @@ pub struct Tangential {
     /// plane, `-a^ij b_j·dr`; such a residual balances moments only at zero distance. The tangent
     /// is the derivative of the exact residual either way.
     pub tangent_plane: bool,
+    /// Moments about two curves; none: they roll freely.
+    pub rolling: Option<Rolling>,
 }
 
 impl TangentialLaw {
@@ -169,7 +172,7 @@ impl TangentialLaw {
     }
 
     /// What makes the parameters unusable, if anything.
-    fn defect(&self) -> Option<&'static str> {
+    pub(super) fn defect(&self) -> Option<&'static str> {
         let stiff = |e: f64| e.is_finite() && e > 0.0;
         let factor = |v: f64| v.is_finite() && v >= 0.0;
         if !self.stiffness().into_iter().all(stiff) {
@@ -195,6 +198,7 @@ impl Tangential {
             law,
             axis: None,
             tangent_plane: false,
+            rolling: None,
         }
     }
 
@@ -204,6 +208,7 @@ impl Tangential {
             law,
             axis: Some(axis),
             tangent_plane: false,
+            rolling: None,
         }
     }
 
@@ -226,6 +231,9 @@ impl Tangential {
                 return Some("the axis along the slave needs an integrated curve");
             }
             _ => {}
+        }
+        if let Some(defect) = self.rolling.as_ref().and_then(|own| own.defect(pair)) {
+            return Some(defect);
         }
         self.law.defect()
     }

@@ -14,7 +14,8 @@ use crate::interpret::interpret;
 pub(super) struct Contact<'a, const D: usize> {
     pub(super) number: usize,
     pub(super) zeta: [f64; 2],
-    pub(super) slips: bool,
+    /// Whether the point slides, and whether each curve rolls.
+    pub(super) slips: [bool; 3],
     /// Normal in the frame of the geometry.
     pub(super) n: &'a [f64; D],
     pub(super) distance: f64,
@@ -26,13 +27,15 @@ pub(super) struct Contact<'a, const D: usize> {
 }
 
 /// Slip, frame and force of the point.
-struct State {
+pub(super) struct State {
     s: Vec<f64>,
-    frame: Vec<f64>,
+    pub(super) frame: Vec<f64>,
     t: Vec<f64>,
+    /// t and the share of the moments.
+    pub(super) force: Vec<f64>,
     c: Vec<f64>,
     h: Vec<f64>,
-    energy: f64,
+    pub(super) energy: f64,
     /// Row and vector of the slave's tangent.
     slope: Vec<f64>,
     tangent: Vec<f64>,
@@ -48,7 +51,8 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         let Some(accepted) = self.accepted(contact) else {
             return;
         };
-        let state = self.state(law, point, contact, accepted);
+        let mut state = self.state(law, point, contact, accepted);
+        self.rolling(point, contact, &mut state);
         self.energy(contact.weight * state.energy);
         let programs = self.subject.description.programs;
         if let Some(program) = &programs.tangential_residual {
@@ -98,10 +102,14 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         let program = self.subject.description.programs.frame.as_ref();
         let values = program.map_or(vec![], |frame| interpret(frame, &inputs, None));
         let (s, frame) = (values[..P].to_vec(), values[P..P + P * P].to_vec());
-        let force = self.force_of(law, &s, -contact.traction, path, contact.slips);
+        let places = [Place::Friction, Place::Sliding];
+        let own = self.subject.description.layout.tangential;
+        let load = (-contact.traction, path, contact.slips[0]);
+        let force = self.force_of((law, own, places), &s, load);
         State {
             s,
             frame,
+            force: force.0.clone(),
             t: force.0,
             c: force.1,
             h: force.2,
@@ -112,27 +120,26 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
     }
 
     /// t, ∂t/∂s, ∂t/∂p and the stored energy.
-    fn force_of(
+    pub(super) fn force_of(
         &self,
-        law: &TangentialLawPrograms,
+        (law, own, [friction, sliding]): (&TangentialLawPrograms, usize, [Place; 2]),
         s: &[f64],
-        pressure: f64,
-        path: f64,
-        slips: bool,
+        (pressure, path, slips): (f64, f64, bool),
     ) -> (Vec<f64>, Vec<f64>, Vec<f64>, f64) {
+        let count = s.len();
         let length = s.iter().map(|s| s * s).sum::<f64>().sqrt();
-        let own = &self.parameters[self.subject.description.layout.tangential..];
+        let own = &self.parameters[own..];
         let mut inputs = vec![pressure, path + length];
         inputs.extend_from_slice(own);
-        let values = interpret(&law.friction, &inputs, self.change(Place::Friction));
+        let values = interpret(&law.friction, &inputs, self.change(friction));
         let axes = if law.orthotropic { 2 } else { 1 };
         let stiffness = |q: usize| values[q % axes];
         let both = [s[0], s.get(1).copied().unwrap_or(0.0)];
-        let mut t: Vec<f64> = (0..P).map(|q| stiffness(q) * both[q]).collect();
-        let mut c = vec![0.0; P * P];
-        let mut h = vec![0.0; P];
-        for q in 0..P {
-            c[q * P + q] = stiffness(q);
+        let mut t: Vec<f64> = (0..count).map(|q| stiffness(q) * both[q]).collect();
+        let mut c = vec![0.0; count * count];
+        let mut h = vec![0.0; count];
+        for q in 0..count {
+            c[q * count + q] = stiffness(q);
         }
         if let (true, Some(program)) = (slips, &law.sliding) {
             let mut inputs = both.to_vec();
@@ -140,16 +147,16 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             if law.orthotropic {
                 inputs.push(ellipse(both, &values));
             }
-            let slide = interpret(program, &inputs, self.change(Place::Sliding));
-            for q in 0..P {
+            let slide = interpret(program, &inputs, self.change(sliding));
+            for q in 0..count {
                 t[q] = slide[q];
                 h[q] = slide[6 + q];
-                for r in 0..P {
-                    c[q * P + r] = slide[2 + 2 * q + r];
+                for r in 0..count {
+                    c[q * count + r] = slide[2 + 2 * q + r];
                 }
             }
         }
-        let energy = (0..P).map(|q| t[q] * t[q] / (2.0 * stiffness(q))).sum();
+        let energy = (0..count).map(|q| t[q] * t[q] / (2.0 * stiffness(q))).sum();
         (t, c, h, energy)
     }
 
@@ -176,7 +183,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
     }
 
     /// n, L, b_i, r_,ij, E
-    fn contact_inputs(
+    pub(super) fn contact_inputs(
         &self,
         point: &Point<D, P>,
         contact: &Contact<'_, D>,
@@ -198,7 +205,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         state: &State,
     ) {
         let mut inputs = self.contact_inputs(point, contact, &state.frame);
-        inputs.extend_from_slice(&state.t);
+        inputs.extend_from_slice(&state.force);
         let values = interpret(program, &inputs, self.change(Place::TangentialResidual));
         let force = self
             .placement
@@ -226,6 +233,9 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             inputs.extend_from_slice(part);
         }
         inputs.push(contact.slope);
+        if self.subject.description.rolling.is_some() {
+            inputs.extend_from_slice(&state.force);
+        }
         if self.subject.description.axis == AxisDescription::Slave {
             inputs.extend_from_slice(&state.tangent);
         }

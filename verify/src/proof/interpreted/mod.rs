@@ -4,6 +4,7 @@
 //! projection is the one that the compiled element found.
 
 mod friction;
+mod rolling;
 mod rows;
 
 use contact_elements::abi::OUTPUT_SIZE;
@@ -35,11 +36,19 @@ pub enum Place {
     TangentialResidual,
     /// Coefficients of the tangential tangent.
     TangentialTangent,
+    /// Stiffness and bound of the law of rolling.
+    RollingLaw,
+    /// Moment beyond the bound.
+    RollingSliding,
+    /// Coefficients of the residual of the moments.
+    RollingResidual,
+    /// Coefficients of the tangent of the moments.
+    RollingTangent,
 }
 
 impl Place {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 11] = [
         Self::Law,
         Self::Tangent,
         Self::Measure,
@@ -47,6 +56,10 @@ impl Place {
         Self::Sliding,
         Self::TangentialResidual,
         Self::TangentialTangent,
+        Self::RollingLaw,
+        Self::RollingSliding,
+        Self::RollingResidual,
+        Self::RollingTangent,
     ];
 }
 
@@ -74,6 +87,10 @@ pub fn program(subject: &Subject, place: Place) -> Option<&'static Program> {
         Place::Sliding => subject.description.tangential?.sliding.as_ref(),
         Place::TangentialResidual => subject.description.programs.tangential_residual.as_ref(),
         Place::TangentialTangent => subject.description.programs.tangential_tangent.as_ref(),
+        Place::RollingLaw => subject.description.rolling.map(|own| &own.law.friction),
+        Place::RollingSliding => subject.description.rolling?.law.sliding.as_ref(),
+        Place::RollingResidual => subject.description.rolling.map(|own| &own.residual),
+        Place::RollingTangent => subject.description.rolling?.tangent.as_ref(),
     }
 }
 
@@ -181,9 +198,14 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             .chunks_exact(OUTPUT_SIZE)
             .map(<[f64]>::to_vec)
             .collect();
+        let size = self.subject.description.descriptor.point_history();
+        let bit = |regime: Option<&f64>, bit: u8| regime.is_some_and(|&r| r as u8 & bit != 0);
         for (number, output) in points.iter().enumerate() {
             if (1.0..=3.0).contains(&output[0]) {
-                self.closed(number, [output[4], output[5]], output[0] == 3.0);
+                let rolled = answer.history.get(number * size + 6 + 4);
+                let rolled = rolled.filter(|_| self.subject.description.rolling.is_some());
+                let slips = [output[0] == 3.0, bit(rolled, 1), bit(rolled, 2)];
+                self.closed(number, [output[4], output[5]], slips);
             }
         }
         self.constants();
@@ -196,7 +218,7 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             .map(|(_, change)| change)
     }
 
-    fn closed(&mut self, number: usize, zeta: [f64; 2], slips: bool) {
+    fn closed(&mut self, number: usize, zeta: [f64; 2], slips: [bool; 3]) {
         let (row, slopes, rule_weight) = self.slave(number);
         let point = self.kinematics(&row, zeta);
         let (n, distance, gap) = self.gap(&point);

@@ -153,6 +153,24 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         third.concat()
     }
 
+    /// s_A,111 of a slave curve and s_A,222 of a master curve.
+    pub(super) fn third_rows(&self, zeta: [f64; 2]) -> [Vec<f64>; 2] {
+        let layout = &self.subject.description.layout;
+        let n = self.x.len();
+        let mut rows = [vec![0.0; n], vec![0.0; n]];
+        if let (SlaveDescription::Projected(slave), MasterDescription::Shape(master)) = (
+            &self.subject.description.slave,
+            &self.subject.description.master,
+        ) {
+            let values = self.thirds(slave, &zeta[..1], layout.slave_weights);
+            fill(&mut rows[0], values.into_iter());
+            let values = self.thirds(master, &zeta[1..], layout.master_weights);
+            let m = values.len();
+            fill(&mut rows[1][n - m..], values.into_iter().map(|v| -v));
+        }
+        rows
+    }
+
     fn thirds(&self, geometry: &GeometryPrograms, zeta: &[f64], weights: usize) -> Vec<f64> {
         let mut inputs = zeta.to_vec();
         inputs.extend_from_slice(self.parameters.get(weights..).unwrap_or(&[]));

@@ -83,6 +83,7 @@ impl Facts<'_> {
             Some(Axis::Convected) => quote! { AxisDescription::Convected },
             Some(Axis::Slave) => quote! { AxisDescription::Slave },
         };
+        let rolling = self.rolling_description();
         let (_, placed) = rigid(self.element);
         let signed = self.element.gap == Gap::Signed;
         let tangent_plane = self.element.linearisation == Linearisation::TangentPlane;
@@ -100,6 +101,7 @@ impl Facts<'_> {
                 law: &#law::PROGRAMS,
                 tangential: #tangential,
                 axis: #axis,
+                rolling: #rolling,
                 placed: #placed,
                 signed: #signed,
                 tangent_plane: #tangent_plane,
@@ -107,6 +109,31 @@ impl Facts<'_> {
                 moving: #moving,
                 layout: #layout,
             }
+        }
+    }
+
+    fn rolling_description(&self) -> TokenStream {
+        let (Some(rolling), Some(declared)) = (self.rolling(), &self.element.rolling) else {
+            return quote! { None };
+        };
+        let path = tangential_law_path(&declared.law);
+        let layout = self.rolling_layout();
+        let (angle, residual) = (rolling.angle.constant(), rolling.residual.constant());
+        let tangent = match &rolling.tangent {
+            Some(tangent) => {
+                let table = tangent.constant();
+                quote! { Some(friction::#table) }
+            }
+            None => quote! { None },
+        };
+        quote! {
+            Some(&RollingDescription {
+                law: &#path::PROGRAMS,
+                layout: #layout,
+                angle: friction::#angle,
+                residual: friction::#residual,
+                tangent: #tangent,
+            })
         }
     }
 

@@ -1,5 +1,7 @@
 //! What does the C interface know of the element?
 
+use std::rc::Rc;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -9,7 +11,7 @@ use crate::emit::program::{Emitted, fnv};
 use crate::linearise::geometry;
 use crate::linearise::law::{bound_program, law_program};
 use crate::linearise::sliding::{friction_program, sliding_program};
-use crate::model::{Body, Enforcement, Measure, Slave};
+use crate::model::{Body, Enforcement, Measure, Slave, TangentialLaw};
 
 impl Facts<'_> {
     pub(super) fn descriptor(&self) -> TokenStream {
@@ -21,6 +23,7 @@ impl Facts<'_> {
         let documentation = format!("{}\0", self.element.docs.trim());
         let parameters = self.parameters.list();
         let friction = self.friction.is_some();
+        let rolling = self.rolling().is_some();
         let symmetric = self.element.measure == Measure::Reference && !friction;
         let has_tangent = self.tangent.is_some();
         let enforcement = self.enforcement();
@@ -56,6 +59,7 @@ impl Facts<'_> {
                             parameters: #parameters,
                             friction: #friction,
                             enforcement: #enforcement,
+                            rolling: #rolling,
                             symmetric: #symmetric,
                             tangent: #has_tangent,
                             energy: #has_multiplier
@@ -109,17 +113,19 @@ impl Facts<'_> {
             .sum()
     }
 
-    /// The programs of the tangential law.
+    /// The programs of the tangential law and of that of rolling.
     fn tangential_law(&self) -> Vec<Emitted> {
-        let Some(tangential) = &self.element.tangential else {
-            return vec![];
+        let tangential = self.element.tangential.iter().map(|own| &own.law);
+        let rolling = self.element.rolling.iter().map(|own| &own.law);
+        let programs = |law: &Rc<TangentialLaw>| {
+            let sliding = (!law.bound.is_empty()).then(|| sliding_program(law));
+            [Some(friction_program(law)), sliding]
         };
-        let law = &tangential.law;
-        let sliding = (!law.bound.is_empty()).then(|| sliding_program(law));
-        [friction_program(law)]
-            .iter()
-            .chain(&sliding)
-            .map(|program| Emitted::new(program, ""))
+        tangential
+            .chain(rolling)
+            .flat_map(programs)
+            .flatten()
+            .map(|program| Emitted::new(&program, ""))
             .collect()
     }
 
@@ -162,6 +168,9 @@ impl Facts<'_> {
         absorb(&self.parameters.layout().to_string());
         if self.element.enforcement != Enforcement::Penalty {
             absorb(&format!("{:?}", self.element.enforcement));
+        }
+        if self.rolling().is_some() {
+            absorb(&self.rolling_layout().to_string());
         }
         fnv(&all)
     }

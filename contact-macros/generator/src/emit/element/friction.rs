@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::expressions::{components, geometry_path, is_rational, matrix, nodes, shape_call};
 use super::facts::{Facts, kinematics};
+use super::rolling::Rolling;
 use crate::emit::imports;
 use crate::emit::program::Emitted;
 use crate::linearise::{frame, tangential, third_derivatives};
@@ -15,6 +16,7 @@ pub(super) struct Friction {
     pub(super) frame: Emitted,
     pub(super) residual: Emitted,
     pub(super) tangent: Option<Emitted>,
+    pub(super) rolling: Option<Rolling>,
     axis: Option<Axis>,
 }
 
@@ -25,12 +27,14 @@ impl Friction {
         kinematics: &crate::linearise::Kinematics,
     ) -> Option<Self> {
         let axis = element.tangential.as_ref()?.axis;
+        let rolls = element.rolling.is_some();
         let tangent = (!element.residual_only)
-            .then(|| Emitted::shared(&tangential::tangent_program(kinematics, axis)));
+            .then(|| Emitted::shared(&tangential::tangent_program(kinematics, axis, rolls)));
         Some(Self {
             frame: Emitted::shared(&frame::frame_program(kinematics, axis)),
             residual: Emitted::shared(&tangential::residual_program(kinematics)),
             tangent,
+            rolling: Rolling::new(element, kinematics),
             axis,
         })
     }
@@ -39,6 +43,7 @@ impl Friction {
         [&self.frame, &self.residual]
             .into_iter()
             .chain(&self.tangent)
+            .chain(self.rolling.iter().flat_map(Rolling::emitted))
     }
 }
 
@@ -81,10 +86,22 @@ impl Facts<'_> {
                 self.higher_method(),
                 self.tangential_method(friction, &tangent.function),
             ),
+            None if friction.rolling.is_some() => (self.higher_method(), quote! {}),
             None => (quote! {}, quote! {}),
         };
+        let rolling = self.rolling_methods();
         let direction = (friction.axis == Some(Axis::Slave)).then(|| self.direction_method());
-        quote! { #frame #force #higher #tangent #direction }
+        quote! { #frame #force #higher #tangent #direction #rolling }
+    }
+
+    /// What multiplies δζ̂^q: t_q, with rolling also the share of the moments.
+    fn effective_force(&self, friction: &Friction) -> Vec<TokenStream> {
+        let (_, p, _) = self.sizes();
+        let field = match friction.rolling {
+            Some(_) => quote! { force },
+            None => quote! { t },
+        };
+        (0..p).map(|q| quote! { tangential.#field[#q] }).collect()
     }
 
     /// `slave_tangent`: the slave curve's own tangent, where it is an axis.
@@ -180,7 +197,7 @@ impl Facts<'_> {
     }
 
     /// n, L, b_i, r_,ij, E
-    fn contact_inputs(&self) -> Vec<TokenStream> {
+    pub(super) fn contact_inputs(&self) -> Vec<TokenStream> {
         let (d, p, h) = self.sizes();
         let mut inputs: Vec<TokenStream> = (0..d).map(|k| quote! { gap.n[#k] }).collect();
         inputs.push(quote! { gap.distance });
@@ -200,7 +217,7 @@ impl Facts<'_> {
         let function = &friction.residual.function;
         let (d, p, h) = self.sizes();
         let mut inputs = self.contact_inputs();
-        inputs.extend((0..p).map(|q| quote! { tangential.t[#q] }));
+        inputs.extend(self.effective_force(friction));
         let force = (0..d).map(|k| quote! { o[#k] });
         let turn = (d..d + p).map(|k| quote! { o[#k] });
         quote! {
@@ -232,6 +249,9 @@ impl Facts<'_> {
         }
         inputs.extend((0..p).map(|q| quote! { tangential.h[#q] }));
         inputs.push(quote! { slope });
+        if friction.rolling.is_some() {
+            inputs.extend(self.effective_force(friction));
+        }
         if friction.axis == Some(Axis::Slave) {
             inputs.extend((0..d).map(|k| quote! { slave_tangent[#k] }));
         }

@@ -8,6 +8,7 @@
 //! | `kinematics` | where slave and master are |
 //! | `gap`, `tangent`, `measure` | gap, coefficients of the tangent, area of a point |
 //! | `friction` | frame, residual and tangent of tangential contact |
+//! | `rolling` | angles about two curves and their moments |
 //! | `descriptor` | what the C interface knows |
 //! | `description` | what the verification knows |
 
@@ -20,6 +21,7 @@ mod gap;
 mod implementation;
 mod kinematics;
 mod measure;
+mod rolling;
 mod slave;
 mod tangent;
 #[cfg(test)]

@@ -68,7 +68,8 @@ fn the_library_is_complete() {
         .iter()
         .map(|law| law.name.to_string())
         .collect();
-    let expected = "Coulomb Stick CoulombOrthotropic CoulombAdhesive CoulombStaticKinetic";
+    let expected =
+        "Coulomb Stick CoulombOrthotropic CoulombAdhesive CoulombStaticKinetic RollingResistance";
     assert_eq!(laws.join(" "), expected);
     assert!(
         model

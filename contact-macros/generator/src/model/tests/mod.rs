@@ -6,6 +6,7 @@ mod law;
 mod library;
 mod names;
 mod pair;
+mod rolling;
 mod tangential;
 
 use crate::diagnostics::testing::{accept, mistakes};

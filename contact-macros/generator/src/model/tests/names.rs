@@ -139,6 +139,11 @@ fn names_that_elements_keep() {
         RESERVED_HINT,
     );
     assert_mistake(
+        "normal law Soft(g; «slave_director_x) { N = slave_director_x*g; }",
+        "`slave_director_x` is a parameter that elements have of their own",
+        RESERVED_HINT,
+    );
+    assert_mistake(
         "normal law Soft(g; «slave_weight_3) { N = slave_weight_3*g; }",
         "`slave_weight_3` is a parameter that elements have of their own",
         RESERVED_HINT,
@@ -147,8 +152,8 @@ fn names_that_elements_keep() {
 
 const RESERVED_HINT: &str = "choose another name; reserved are `r0`, `orientation`, `weight`, \
     `eta_1`, `eta_2`, `axis_1`, `axis_2`, `origin_x`, `origin_y`, `origin_z`, `quaternion_w`, `quaternion_x`, \
-    `quaternion_y`, `quaternion_z`, `direction_x`, `direction_y`, `master_weight_*` and \
-    `slave_weight_*`";
+    `quaternion_y`, `quaternion_z`, `direction_x`, `direction_y`, `master_weight_*`, \
+    `slave_weight_*`, `master_director_*` and `slave_director_*`";
 
 #[test]
 fn units_are_plain_text() {

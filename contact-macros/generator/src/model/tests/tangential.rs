@@ -139,8 +139,8 @@ fn names_of_laws() {
     assert_mistake(
         &element("tangential: «Rough;"),
         "unknown tangential law `Rough`",
-        "known here: `Coulomb`, `CoulombAdhesive`, `CoulombOrthotropic`, `CoulombStaticKinetic` \
-         and `Stick`",
+        "known here: `Coulomb`, `CoulombAdhesive`, `CoulombOrthotropic`, `CoulombStaticKinetic`, \
+         `RollingResistance` and `Stick`",
     );
     assert_mistake(
         &element("tangential: «PowerLaw;"),

@@ -102,6 +102,8 @@ extern "C" {
 #define CTE_ARGUMENT_TO 29
 #define CTE_ARGUMENT_TO_OUTPUT 30
 #define CTE_ARGUMENT_TO_HISTORY 31
+#define CTE_ARGUMENT_REACH 32 /* those of cte_element_project */
+#define CTE_ARGUMENT_RESULT 33
 
 /* ------------------------------------------------------------------ what is wanted: request bits */
 #define CTE_RESIDUAL 1u        /* write f */
@@ -341,6 +343,29 @@ typedef struct cte_batch {
   uint64_t reserved[8];
 } cte_batch;
 
+/* ------------------------------------------------------------------ cte_projection: a global projection
+ * verdict:
+ *   CTE_VERDICT_INSIDE      one closest point, inside the domain or free on its boundary
+ *   CTE_VERDICT_BOUNDARY    one closest point, held by the boundary: feature as in CTE_OUTPUT_FEATURE
+ *   CTE_VERDICT_NOT_UNIQUE  two closest points at least (zeta is one of them), or definiteness not positive
+ *   CTE_VERDICT_BEYOND      nothing within the reach; zeta, distance and definiteness are 0 but for closed projections
+ *   CTE_VERDICT_UNDECIDED   20000 boxes did not suffice; zeta is the best point found */
+#define CTE_VERDICT_INSIDE 0
+#define CTE_VERDICT_BOUNDARY 1
+#define CTE_VERDICT_NOT_UNIQUE 2
+#define CTE_VERDICT_BEYOND 3
+#define CTE_VERDICT_UNDECIDED 4
+typedef struct cte_projection {
+  double zeta[2];      /* projected parameters, slave curve first; 0 beyond their number */
+  double distance;     /* |r|, without r0 [length]; 0 for points and distance functions as master */
+  double definiteness; /* least eigenvalue of F relative to the metric: > 0 where the projection exists and is unique
+                        * nearby, 1 on flat masters, 0 on the focal surface */
+  int32_t verdict;
+  int32_t feature;     /* 0 inside */
+  int32_t boxes;       /* boxes of parameters looked at; 0 with a closed projection */
+  int32_t steps;       /* Newton steps, all together */
+} cte_projection;
+
 /* ------------------------------------------------------------------ functions */
 
 /* Version of the interface of the library in use: major << 16 | minor. */
@@ -407,6 +432,18 @@ int32_t cte_history_transfer(const cte_element *from, const double *from_output,
  * CTE_ERROR_ELEMENT: the history has no multiplier. On anything but 0 accepted is as it was. */
 int32_t cte_history_augment(const cte_element *element, const double *trial, double *accepted, int32_t *argument);
 
+/* Closest points over the whole domain of the master, for all contact points of the element. No start is needed, and
+ * the result is certified: boxes of parameters are excluded by interval arithmetic until one point is left. Read are
+ * nnode, nslave, x, u and their strides, parameters and slave_row of *arguments; written are its error_argument and
+ * error_index. reach: nothing farther is looked for [length]; 0: no limit. result: [points]. history: null, or the
+ * element's history, which then is the initial one at these projections (hist_old of a first evaluation, which from
+ * there takes 1 to 3 Newton steps). Costs some thousand times an evaluation: for starts and lost contacts.
+ * 0; CTE_ERROR_NULL, _STRUCT_SIZE, _NODE_COUNT, _PARAMETER, _NOT_FINITE (x, u, slave_row; reach: also below 0),
+ * _STRIDE; CTE_ERROR_ELEMENT: a geometry of more than 32 nodes or 2048 operations. On errors found before the first
+ * contact point nothing is written. */
+int32_t cte_element_project(const cte_element *element, cte_arguments *arguments, double reach, cte_projection *result,
+                            double *history);
+
 /* Evaluates one element. The scalars at the end of *arguments (dt_ratio .. error_index) are written always
  * but when arguments is null or its struct_size too small; a null element is CTE_ARGUMENT_ELEMENT. */
 int32_t cte_element_evaluate(const cte_element *element, cte_arguments *arguments);
@@ -463,6 +500,7 @@ typedef struct cte_api_table {
   int32_t (*history_transfer)(const cte_element *, const double *, const double *, const cte_element *, const double *,
                               double *, int32_t *);
   int32_t (*history_augment)(const cte_element *, const double *, double *, int32_t *);
+  int32_t (*element_project)(const cte_element *, cte_arguments *, double, cte_projection *, double *);
 } cte_api_table;
 
 /* Fills *table. major: CTE_VERSION_MAJOR of this header. CTE_ERROR_VERSION when the library's differs. */

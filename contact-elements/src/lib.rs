@@ -15,3 +15,4 @@ pub mod geometry;
 pub mod laws;
 pub mod program;
 pub mod runtime;
+pub mod search;

@@ -4,6 +4,7 @@ use comfy_table::{Cell, CellAlignment, Table, presets};
 use serde::Serialize;
 
 use crate::proof::Finding;
+use crate::proof::global::Global;
 use crate::proof::invariance::Invariance;
 use crate::proof::mutation::Mutants;
 use crate::proof::random::Random;
@@ -36,6 +37,8 @@ pub struct ElementCertificate {
     pub sequences: Option<Sequences>,
     /// Symmetry, balance, motion, units.
     pub invariance: Invariance,
+    /// Global projection; where something is projected.
+    pub global: Option<Global>,
     /// Error orders of tangent-plane elements.
     pub slopes: Option<Slopes>,
     /// Mutation of the terms.
@@ -61,7 +64,9 @@ impl ElementCertificate {
         let slopes = self.slopes.as_ref().map(|slopes| &slopes.finding);
         let sequences = self.sequences.as_ref().map(|s| &s.finding);
         let always = [&self.invariance.finding, &self.mutants.unchanged];
-        slopes.into_iter().chain(sequences).chain(always)
+        let global = self.global.as_ref().map(|global| &global.finding);
+        let optional = slopes.into_iter().chain(sequences).chain(global);
+        optional.chain(always)
     }
 
     /// Failures of all kinds.

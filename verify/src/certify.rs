@@ -8,8 +8,13 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::certificate::{Certificate, ElementCertificate};
 use crate::configurations::Wanted;
 use crate::proof::coverage::{self, Seen};
-use crate::proof::{edges, invariance, mutation, random, reference, sequences, slopes, tables};
+use crate::proof::{
+    edges, global, invariance, mutation, random, reference, sequences, slopes, tables,
+};
 use crate::subject::Subject;
+
+/// States of global projection per element.
+const PROJECTIONS: u64 = 60;
 
 /// How much is tried.
 #[derive(Clone, Copy, Debug)]
@@ -85,6 +90,7 @@ fn one(subject: &Subject, extent: &Extent, source_bytes: usize) -> ElementCertif
         outside: try_status(Wanted::Outside),
         sequences: has_friction.then(|| sequences::prove(subject, seed)),
         invariance: invariance::prove(subject, seed),
+        global: global::prove(subject, PROJECTIONS, 1, seed),
         slopes: subject
             .description
             .tangent_plane

@@ -17,6 +17,7 @@ pub mod certify;
 pub mod configurations;
 pub mod interpret;
 pub mod oracle;
+pub mod projections;
 pub mod proof;
 pub mod subject;
 pub mod tolerance;

@@ -8,6 +8,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use contact_verify::certify::{Extent, certify};
+use contact_verify::projections;
 use contact_verify::subject::{self, Subject};
 
 /// Generates the contact elements, builds the C library and proves every element.
@@ -29,6 +30,9 @@ struct Options {
     /// Folder for libraries, headers, generated sources and the certificate.
     #[arg(long, default_value = "target/contact-elements")]
     output: PathBuf,
+    /// Only global projections: this many states per element.
+    #[arg(long)]
+    projections: Option<u64>,
     /// Do not build the C library.
     #[arg(long)]
     no_library: bool,
@@ -47,7 +51,7 @@ fn main() -> ExitCode {
 
 fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
     let sizes = build::generated_sources(&options.output)?;
-    let places = if options.no_library {
+    let places = if options.no_library || options.projections.is_some() {
         None
     } else {
         Some(build::c_library(&options.output)?)
@@ -59,6 +63,9 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
         .collect();
     if subjects.is_empty() {
         return Err(format!("no element's name contains `{}`", options.element).into());
+    }
+    if let Some(states) = options.projections {
+        return Ok(projections::run(&subjects, states, options.seed) == 0);
     }
     let certificate = certify(
         &subjects,

@@ -37,6 +37,13 @@ pub const MOTION: f64 = 1e-10;
 /// Change of units by 1000: not a power of two, so every coordinate is rounded anew.
 pub const UNITS: f64 = 1e-11;
 
+/// Distance at a foot of the global projection and against the nearest of a grid, relative to the size: rounding of a
+/// sum over the nodes, several sizes from the origin.
+pub const FOOT: f64 = 1e-12;
+
+/// r·r_,i at a free foot, relative to |r_,i| times the size: flat minima leave the root of the rounding of r·r.
+pub const STATIONARY: f64 = 1e-7;
+
 /// K − Kᵀ of symmetric elements: the same products summed in another order.
 pub const SYMMETRY: f64 = 1e-13;
 

@@ -55,6 +55,8 @@ pub mod argument {
     pub const TO: i32 = 29;
     pub const TO_OUTPUT: i32 = 30;
     pub const TO_HISTORY: i32 = 31;
+    pub const REACH: i32 = 32;
+    pub const RESULT: i32 = 33;
 }
 
 /// Request bits.

@@ -116,7 +116,7 @@ unsafe fn checked(
 ///
 /// # Safety
 /// `x` has n nodes at its stride, `u` likewise where it is not null.
-unsafe fn nodes<'a>(
+pub(super) unsafe fn nodes<'a>(
     element: &Descriptor,
     arguments: &Arguments,
     n: usize,
@@ -218,7 +218,10 @@ fn check_outputs(arguments: &Arguments) -> Result<(), Fault> {
     Ok(())
 }
 
-fn node_counts(element: &Descriptor, arguments: &Arguments) -> Result<(usize, usize), Fault> {
+pub(super) fn node_counts(
+    element: &Descriptor,
+    arguments: &Arguments,
+) -> Result<(usize, usize), Fault> {
     let nslave = slave_count(element, arguments.nslave)?;
     let n = element.nodes(nslave);
     match usize::try_from(arguments.nnode) {

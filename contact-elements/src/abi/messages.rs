@@ -97,6 +97,8 @@ fn argument_text(value: i32) -> &'static str {
         argument::TO => "to\0",
         argument::TO_OUTPUT => "to_output\0",
         argument::TO_HISTORY => "to_history\0",
+        argument::REACH => "reach\0",
+        argument::RESULT => "result\0",
         _ => "unknown\0",
     }
 }

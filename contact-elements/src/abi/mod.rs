@@ -12,6 +12,7 @@ mod describe;
 mod evaluate;
 pub mod fortran;
 mod messages;
+mod project;
 mod safe;
 mod sizes;
 mod target;
@@ -28,12 +29,16 @@ pub use describe::{
 };
 pub use evaluate::element_evaluate;
 pub use messages::{argument_name, code_message, element_message, status_message};
+pub use project::{Projection, Query, element_project, project};
 pub use safe::{Evaluation, Outcome, evaluate};
 pub use target::Target;
 pub use transfer::{history_transfer, transfer};
 pub use types::{ApiTable, Arguments, Batch, Info};
 
-use crate::runtime::{Call, Enforcement, InputError, Nodes, Summary, can_be_anchor};
+use crate::program::{MasterDescription, SlaveDescription};
+use crate::runtime::{
+    Call, Domain, Enforcement, InputError, Layout, Nodes, Summary, can_be_anchor,
+};
 
 /// Version of the interface: major << 16 | minor.
 pub const VERSION: u32 = 1 << 16;
@@ -103,6 +108,16 @@ pub struct Descriptor {
     pub vectors: &'static [bool],
     /// Start of the projection.
     pub centre: [f64; 2],
+    /// Slave as declared.
+    pub slave: SlaveDescription,
+    /// Master as declared.
+    pub master: MasterDescription,
+    /// Parameter list.
+    pub layout: Layout,
+    /// Domains of the projected parameters: slave curve first where both are projected.
+    pub domains: [Domain; 2],
+    /// Periods of a rigid master's parameters; 0: none.
+    pub periods: [f64; 2],
     /// Extents of the projected parameters; infinite where a bound is missing.
     pub extents: [f64; 2],
     /// The kernel.

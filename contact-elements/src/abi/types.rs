@@ -1,6 +1,6 @@
 //! The structs of `contact_elements.h`, field by field.
 
-use super::Descriptor;
+use super::{Descriptor, Projection};
 
 /// `cte_info`.
 #[repr(C)]
@@ -172,6 +172,13 @@ pub struct ApiTable {
     ) -> i32,
     pub history_augment:
         unsafe extern "C" fn(*const Descriptor, *const f64, *mut f64, *mut i32) -> i32,
+    pub element_project: unsafe extern "C" fn(
+        *const Descriptor,
+        *mut Arguments,
+        f64,
+        *mut Projection,
+        *mut f64,
+    ) -> i32,
 }
 
 /// True where the caller's struct is at least as large as `T`.
@@ -189,5 +196,6 @@ const _: () = {
     assert!(size_of::<Info>() == 152);
     assert!(size_of::<Arguments>() == 312);
     assert!(size_of::<Batch>() == 336);
-    assert!(size_of::<ApiTable>() == 152);
+    assert!(size_of::<Projection>() == 48);
+    assert!(size_of::<ApiTable>() == 160);
 };

@@ -48,6 +48,14 @@ fn room(value: f64) -> u64 {
 }
 
 impl Coordinates<'_> {
+    /// One component of a node; NaN where there is none.
+    pub(crate) fn entry(&self, node: Option<usize>, component: usize) -> f64 {
+        let place = node
+            .map(|node| self.offset + node * self.node_stride + component * self.component_stride);
+        let value = place.and_then(|place| self.values.get(place));
+        value.copied().unwrap_or(f64::NAN)
+    }
+
     /// The first `count` nodes, where they stand one after another.
     #[inline(always)]
     fn dense<const D: usize>(&self, count: usize) -> Option<&[f64]> {
@@ -132,7 +140,7 @@ impl Nodes<'_> {
     }
 
     #[inline(always)]
-    fn number(&self, a: usize) -> Option<usize> {
+    pub(crate) fn number(&self, a: usize) -> Option<usize> {
         match self.connectivity {
             None => Some(a),
             Some(list) => usize::try_from(*list.get(a)?).ok(),

@@ -5,4 +5,5 @@ mod export;
 mod fortran77;
 mod geometries;
 mod laws;
+mod project;
 mod transfer;

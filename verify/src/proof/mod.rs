@@ -8,6 +8,7 @@
 //! | `edges` | states where elements tend to fail |
 //! | `reference` | cases of 25 digits from a third program |
 //! | `invariance`, `units` | symmetry, balance of force and moment, rigid motion, change of units |
+//! | `global` | the closest point over the whole domain, found without a start |
 //! | `slopes` | error orders of the linearisation on the tangent plane |
 //! | `mutation` | every term dropped, doubled, flipped: each must be noticed |
 //! | `coverage` | every status and feature, every return code and argument that a safe caller can provoke, was seen |
@@ -15,6 +16,7 @@
 pub mod cases;
 pub mod coverage;
 pub mod edges;
+pub mod global;
 pub mod interpreted;
 pub mod invariance;
 pub mod mutation;

@@ -168,6 +168,15 @@ fn evaluations(prefix: &Ident) -> TokenStream {
             quote!(abi::history_augment(element, trial, accepted, argument)),
         ),
         f(
+            "element_project",
+            quote!(element: *const abi::Descriptor, arguments: *mut abi::Arguments, reach: f64,
+                result: *mut abi::Projection, history: *mut f64),
+            quote!(i32),
+            quote!(abi::element_project(
+                element, arguments, reach, result, history
+            )),
+        ),
+        f(
             "element_evaluate",
             quote!(element: *const abi::Descriptor, arguments: *mut abi::Arguments),
             quote!(i32),
@@ -269,6 +278,7 @@ fn table(prefix: &Ident) -> TokenStream {
         "element_message",
         "history_transfer",
         "history_augment",
+        "element_project",
     ];
     let names = fields.iter().map(|name| format_ident!("{name}"));
     let values = fields.iter().map(|name| entry(name));

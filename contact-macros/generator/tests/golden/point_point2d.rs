@@ -193,6 +193,7 @@ mod _element_pointpoint2d {
                 ],
                 friction: false,
                 enforcement: runtime::Enforcement::Penalty,
+                rolling: false,
                 symmetric: true,
                 tangent: true,
                 energy: false
@@ -209,6 +210,30 @@ mod _element_pointpoint2d {
                     0usize,
                     0usize,
                 >>::START,
+                slave: SlaveDescription::Point,
+                master: MasterDescription::Point,
+                layout: runtime::Layout {
+                    tangential: 1usize,
+                    r0: 1usize,
+                    orientation: None,
+                    geometry: 2usize,
+                    master_weights: 2usize,
+                    slave_weights: 2usize,
+                    point: 2usize,
+                    axis: None,
+                    placement: None,
+                    count: 2usize,
+                },
+                domains: <PointPoint2d as runtime::Element<
+                    2usize,
+                    0usize,
+                    0usize,
+                >>::DOMAINS,
+                periods: <PointPoint2d as runtime::Element<
+                    2usize,
+                    0usize,
+                    0usize,
+                >>::PERIODS,
                 extents: <PointPoint2d as runtime::Element<
                     2usize,
                     0usize,

@@ -55,21 +55,7 @@ impl Facts<'_> {
     fn description(&self) -> TokenStream {
         let text = self.element.name.to_string();
         let slave = self.slave_description();
-        let master = match &self.element.master {
-            Master::Point => quote! { MasterDescription::Point },
-            Master::Shape(geometry) => {
-                let path = geometry_path(geometry);
-                quote! { MasterDescription::Shape(&#path::PROGRAMS) }
-            }
-            Master::Rigid { geometry, .. } => {
-                let path = geometry_path(geometry);
-                quote! { MasterDescription::Rigid(&#path::PROGRAMS) }
-            }
-            Master::Distance { geometry, .. } => {
-                let path = geometry_path(geometry);
-                quote! { MasterDescription::Distance(&#path::PROGRAMS) }
-            }
-        };
+        let master = self.master_description();
         let law = law_path(&self.element.law);
         let tangential = match &self.element.tangential {
             Some(tangential) => {
@@ -137,7 +123,25 @@ impl Facts<'_> {
         }
     }
 
-    fn slave_description(&self) -> TokenStream {
+    pub(super) fn master_description(&self) -> TokenStream {
+        match &self.element.master {
+            Master::Point => quote! { MasterDescription::Point },
+            Master::Shape(geometry) => {
+                let path = geometry_path(geometry);
+                quote! { MasterDescription::Shape(&#path::PROGRAMS) }
+            }
+            Master::Rigid { geometry, .. } => {
+                let path = geometry_path(geometry);
+                quote! { MasterDescription::Rigid(&#path::PROGRAMS) }
+            }
+            Master::Distance { geometry, .. } => {
+                let path = geometry_path(geometry);
+                quote! { MasterDescription::Distance(&#path::PROGRAMS) }
+            }
+        }
+    }
+
+    pub(super) fn slave_description(&self) -> TokenStream {
         match &self.element.slave {
             Slave::Point => quote! { SlaveDescription::Point },
             Slave::Interpolated => quote! { SlaveDescription::Interpolated },

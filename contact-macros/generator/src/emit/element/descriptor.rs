@@ -26,6 +26,8 @@ impl Facts<'_> {
         let rolling = self.rolling().is_some();
         let symmetric = self.element.measure == Measure::Reference && !friction;
         let has_tangent = self.tangent.is_some();
+        let (slave, master) = (self.slave_description(), self.master_description());
+        let layout = self.parameters.layout();
         let enforcement = self.enforcement();
         let has_multiplier = self.element.enforcement != Enforcement::Penalty;
         let operations = self.operations();
@@ -69,6 +71,11 @@ impl Facts<'_> {
                             formulation: #formulation,
                             vectors: &[#(#flags),*],
                             centre: <#name as runtime::Element<#d, #p, #h>>::START,
+                            slave: #slave,
+                            master: #master,
+                            layout: #layout,
+                            domains: <#name as runtime::Element<#d, #p, #h>>::DOMAINS,
+                            periods: <#name as runtime::Element<#d, #p, #h>>::PERIODS,
                             extents: <#name as runtime::Element<#d, #p, #h>>::EXTENTS,
                             kernel,
                         };

@@ -1,0 +1,235 @@
+//! Global projection: known answers where Newton's method from the centre finds another point, and what is refused.
+
+use contact_elements::abi::{Descriptor, Outcome, Projection, Query, argument, code, project};
+use contact_elements::elements::{
+    HermiteHermiteBeams, PointCircle2d, PointHelix, PointQuad4, PointQuad4Coulomb, PointQuad9,
+    PointSphere,
+};
+
+const INSIDE: i32 = 0;
+const BOUNDARY: i32 = 1;
+const NOT_UNIQUE: i32 = 2;
+const BEYOND: i32 = 3;
+
+fn found(element: &Descriptor, query: &Query<'_>) -> (Outcome, Projection) {
+    let mut result = [Projection::default()];
+    let outcome = project(element, query, &mut result, &mut []);
+    (outcome, result[0])
+}
+
+fn at(element: &Descriptor, x: &[f64], parameters: &[f64], reach: f64) -> Projection {
+    let query = Query {
+        x,
+        parameters,
+        reach,
+        ..Query::default()
+    };
+    let (outcome, result) = found(element, &query);
+    assert_eq!(outcome.code, code::SUCCESS, "{outcome:?}");
+    result
+}
+
+/// A point above the unit square [-1, 1]².
+fn above([x, y, z]: [f64; 3]) -> Vec<f64> {
+    let square = [
+        -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0,
+    ];
+    [&[x, y, z], &square[..]].concat()
+}
+
+const FACET: [f64; 3] = [100.0, 0.0, 1.0];
+
+/// Inside, beyond each edge and each corner of a square.
+#[test]
+fn features_of_a_square() {
+    let facet = PointQuad4::DESCRIPTOR;
+    let expected = [[8, 3, 7], [4, 0, 2], [5, 1, 6]];
+    for (row, y) in [1.7, 0.2, -1.3].into_iter().enumerate() {
+        for (column, x) in [-2.0, 0.3, 1.4].into_iter().enumerate() {
+            let result = at(facet, &above([x, y, 0.5]), &FACET, 0.0);
+            assert_eq!(result.feature, expected[row][column], "{x} {y}: {result:?}");
+            let foot: [f64; 2] = [x, y].map(|v: f64| v.clamp(-1.0, 1.0));
+            let distance = (x - foot[0]).hypot(y - foot[1]).hypot(0.5);
+            assert!((result.distance - distance).abs() < 1e-15 * 8.0);
+            assert!((result.zeta[0] - foot[0]).abs() + (result.zeta[1] - foot[1]).abs() < 1e-14);
+            let verdict = if result.feature == 0 {
+                INSIDE
+            } else {
+                BOUNDARY
+            };
+            assert_eq!(result.verdict, verdict);
+            assert!((result.definiteness - 1.0).abs() < 1e-14);
+        }
+    }
+}
+
+/// A trough of a biquadratic facet, z = x²: below its focal line there is one foot, above it two that are as near,
+/// and a little to one side the nearer one.
+#[test]
+fn two_feet_in_a_trough() {
+    let mut nodes = vec![];
+    for [x, y] in [
+        [-1.0, -1.0],
+        [1.0, -1.0],
+        [1.0, 1.0],
+        [-1.0, 1.0],
+        [0.0, -1.0],
+        [1.0, 0.0],
+        [0.0, 1.0],
+        [-1.0, 0.0],
+        [0.0, 0.0],
+    ] {
+        nodes.extend([x, y, x * x]);
+    }
+    let foot = |x: f64, z: f64| {
+        let x = [&[x, 0.1, z], &nodes[..]].concat();
+        at(PointQuad9::DESCRIPTOR, &x, &FACET, 0.0)
+    };
+    let low = foot(0.0, 0.3);
+    assert_eq!(low.verdict, INSIDE);
+    // F/a = 1 − 2 z
+    assert!((low.definiteness - 0.4).abs() < 1e-14, "{low:?}");
+    let high = foot(0.0, 1.0);
+    assert_eq!(high.verdict, NOT_UNIQUE);
+    assert!(
+        (high.zeta[0].abs() - 0.5_f64.sqrt()).abs() < 1e-12,
+        "{high:?}"
+    );
+    for side in [-1.0, 1.0] {
+        let near = foot(1e-3 * side, 1.0);
+        assert_eq!(near.verdict, INSIDE);
+        assert!(near.zeta[0] * side > 0.7, "{near:?}");
+    }
+    // on the focal line F vanishes at the foot, which is known to the root of the root of rounding
+    assert!(foot(0.0, 0.5).definiteness.abs() < 1e-6);
+}
+
+/// The nearest turn of a helix, found among all of them.
+#[test]
+fn the_nearest_turn() {
+    // eps_n, r0, radius, rise, placement
+    let parameters = [1e3, 0.1, 1.0, 0.05, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    for turn in [-40.0, 0.0, 7.0, 300.0] {
+        let angle: f64 = std::f64::consts::TAU * turn + 0.3;
+        let x = [1.2 * 0.3_f64.cos(), 1.2 * 0.3_f64.sin(), 0.05 * angle];
+        let result = at(PointHelix::DESCRIPTOR, &x, &parameters, 0.0);
+        assert_eq!(result.verdict, INSIDE, "{result:?}");
+        assert!(
+            (result.zeta[0] - angle).abs() < 1e-10 * angle.abs().max(1.0),
+            "{result:?}"
+        );
+        assert!((result.distance - 0.2).abs() < 1e-12);
+    }
+}
+
+/// Closed projections: taken as declared; every point of a circle is as near to its centre.
+#[test]
+fn closed_projections() {
+    let placed = |radius: f64| [1e3, 0.0, 1.0, radius, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let result = at(PointSphere::DESCRIPTOR, &[0.0, 3.0, 0.0], &placed(1.0), 0.0);
+    assert_eq!((result.verdict, result.boxes), (INSIDE, 0));
+    assert!((result.distance - 2.0).abs() < 1e-15);
+    assert!((result.definiteness - 3.0).abs() < 1e-14);
+    let plane = [1e3, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0];
+    let centre = at(PointCircle2d::DESCRIPTOR, &[0.0, 0.0], &plane, 0.0);
+    assert_eq!(centre.verdict, NOT_UNIQUE, "{centre:?}");
+}
+
+/// Nothing is farther than the reach.
+#[test]
+fn reach() {
+    let point = above([0.3, 0.2, 0.5]);
+    for (reach, verdict) in [(0.49, BEYOND), (0.51, INSIDE), (1e30, INSIDE)] {
+        let result = at(PointQuad4::DESCRIPTOR, &point, &FACET, reach);
+        assert_eq!(result.verdict, verdict, "{reach}");
+    }
+}
+
+/// Straight Hermite beams that cross, and parallel ones: a line of closest points.
+#[test]
+fn crossing_and_parallel_beams() {
+    let beam = |p: [f64; 3], t: [f64; 3]| {
+        let end = [0, 1, 2].map(|k| p[k] + 2.0 * t[k]);
+        [p, t, end, t].concat()
+    };
+    let first = beam([-1.0, 0.2, 0.0], [1.0, 0.0, 0.0]);
+    let parameters = [1e3, 0.1];
+    let crossing = beam([0.3, -1.0, 0.4], [0.0, 1.0, 0.0]);
+    let x = [&first[..], &crossing].concat();
+    let result = at(HermiteHermiteBeams::DESCRIPTOR, &x, &parameters, 0.0);
+    assert_eq!(result.verdict, INSIDE);
+    assert!((result.zeta[0] - 0.3).abs() + (result.zeta[1] - 0.2).abs() < 1e-14);
+    assert!((result.distance - 0.4).abs() < 1e-15);
+    let parallel = beam([-0.5, 0.2, 0.4], [1.0, 0.0, 0.0]);
+    let x = [&first[..], &parallel].concat();
+    let result = at(HermiteHermiteBeams::DESCRIPTOR, &x, &parameters, 0.0);
+    assert!(
+        result.verdict == NOT_UNIQUE || result.verdict == 4,
+        "{result:?}"
+    );
+}
+
+/// The history begins at the foot: projection and anchor.
+#[test]
+fn history_begins_at_the_foot() {
+    let element = PointQuad4Coulomb::DESCRIPTOR;
+    let (x, parameters) = (above([0.3, -0.6, -0.1]), [100.0, 50.0, 0.3, 0.0, 1.0]);
+    let mut history = [7.0; 6];
+    let query = Query {
+        x: &x,
+        parameters: &parameters,
+        ..Query::default()
+    };
+    let outcome = project(element, &query, &mut [Projection::default()], &mut history);
+    assert_eq!(outcome.code, code::SUCCESS);
+    let expected = [0.0, 0.3, -0.6, 0.3, -0.6, 0.0];
+    for (found, expected) in history.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-15, "{history:?}");
+    }
+}
+
+#[test]
+fn bad_input() {
+    let element = PointQuad4::DESCRIPTOR;
+    let x = above([0.0, 0.0, 0.5]);
+    let good = Query {
+        x: &x,
+        parameters: &FACET,
+        ..Query::default()
+    };
+    let fault = |query: &Query<'_>| {
+        let (outcome, result) = found(element, query);
+        assert_eq!(result, Projection::default());
+        (outcome.code, outcome.argument, outcome.index)
+    };
+    for reach in [f64::NAN, -1.0, f64::INFINITY] {
+        let query = Query { reach, ..good };
+        assert_eq!(fault(&query), (code::NOT_FINITE, argument::REACH, 0));
+    }
+    let mut broken = x.clone();
+    broken[7] = f64::NAN;
+    let query = Query { x: &broken, ..good };
+    assert_eq!(fault(&query), (code::NOT_FINITE, argument::X, 2));
+    let query = Query { u: &broken, ..good };
+    assert_eq!(fault(&query), (code::NOT_FINITE, argument::U, 2));
+    let query = Query {
+        x: &x[..14],
+        ..good
+    };
+    assert_eq!(fault(&query), (code::NULL, argument::X, 0));
+    let query = Query {
+        parameters: &[-1.0, 0.0, 1.0],
+        ..good
+    };
+    assert_eq!(fault(&query), (code::PARAMETER, argument::PARAMETERS, 0));
+    let outcome = project(element, &good, &mut [], &mut []);
+    assert_eq!(
+        (outcome.code, outcome.argument),
+        (code::NULL, argument::RESULT)
+    );
+    let outcome = project(element, &good, &mut [Projection::default()], &mut [0.0; 2]);
+    assert_eq!(
+        (outcome.code, outcome.argument),
+        (code::NULL, argument::HISTORY_NEW)
+    );
+}

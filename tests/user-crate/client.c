@@ -23,7 +23,7 @@ typedef struct contact {
   double workspace[1 << 14];
 } contact;
 
-static contact contacts[6];
+static contact contacts[7];
 static int count, failures;
 
 static void check(int pass, const contact *c, const char *what)
@@ -161,6 +161,24 @@ static void declare(void)
   c->x[1] = -0.3;
   facet(c, 1, 1, 1.0, 0.0, 0.05);
   shake(c, 0.02);
+
+  c = open(RAIL_CONTACT_WIRES, "ContactWires", rail_contact_wires, 0);
+  set(c, "eps_n", 50.0);
+  set(c, "eps_t", 40.0);
+  set(c, "mu", 0.2);
+  set(c, "r", 2.0);
+  set(c, "lever", 0.1);
+  set(c, "turn", 0.4);
+  set(c, "r0", 0.3);
+  set(c, "slave_director_z", 1.0);
+  set(c, "master_director_x", 0.6);
+  set(c, "master_director_z", 0.8);
+  c->x[0] = -1.0;
+  c->x[3] = 1.0;
+  c->x[2] = c->x[5] = 0.27;
+  c->x[7] = -1.0;
+  c->x[10] = 1.0;
+  shake(c, 0.01);
 }
 
 static int has_friction(const contact *c)

@@ -63,6 +63,17 @@ contact_elements::contact_elements! {
         bound = coefficient*pressure/(1 + pressure/q);
     }
 
+    /// Contact wires that grip one another: a moment whose bound falls from lever to half of it with the angle rolled.
+    /// r: stiffness against the angle.
+    tangential law Grip(pressure, angle;
+        r: "force*length" in (0, inf),
+        lever: "length" in (0, inf),
+        turn: "rad" in (0, inf)
+    ) {
+        stiffness = r;
+        bound = lever*pressure*(1 + exp(-angle/turn))/2;
+    }
+
     /// Point against a serendipity facet, softened.
     element PointQuad8 { slave: point; master: Quad8; normal: Softened; }
     /// Point against a placed wheel tread.
@@ -75,4 +86,6 @@ contact_elements::contact_elements! {
     element InterpolatedTorus { slave: interpolated; master: Torus placed; normal: Softened; }
     /// Point against a serendipity facet, softened, with friction of its own.
     element PointQuad8Worn { slave: point; master: Quad8; normal: Softened; tangential: Worn; }
+    /// Contact wires that slide on one another and grip.
+    element ContactWires { slave: Line2; master: Line2; gap: distance; normal: Penalty; tangential: Coulomb; rolling: Grip; director: given; }
 }

@@ -14,6 +14,7 @@ use contact_verify::oracle::law::{Activity, DeclaredLaw, Law};
 use contact_verify::oracle::number::Number;
 use contact_verify::oracle::multiplier::Multipliers;
 use contact_verify::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Row, Slave};
+use contact_verify::oracle::rolling::Rolling;
 use contact_verify::oracle::tangential::{DeclaredTangential, Tangential, TangentialLaw};
 use contact_verify::subject::Subject;
 use num_dual::DualNum;
@@ -136,6 +137,23 @@ impl DeclaredTangential for Worn {
     }
 }
 
+/// `Grip` with r, lever and turn.
+#[derive(Debug)]
+struct Grip([f64; 3]);
+
+impl DeclaredTangential for Grip {
+    fn orthotropic(&self) -> bool {
+        false
+    }
+    fn stiffness(&self) -> [f64; 2] {
+        [self.0[0]; 2]
+    }
+    fn bound<D: DualNum<Primitive = f64> + Copy>(&self, p: D, angle: D) -> Option<[D; 2]> {
+        let [_, lever, turn] = self.0;
+        Some([((-angle / turn).exp() + 1.0) * p * (0.5 * lever); 2])
+    }
+}
+
 /// Lengths about one: the random states are that large.
 const WHEEL: [f64; 3] = [1.1, 0.1, 0.05];
 const CROWN: f64 = 0.9;
@@ -144,6 +162,9 @@ const SOFTENED: [f64; 2] = [70.0, 0.02];
 
 /// k, m, q, d.
 const WORN: [f64; 4] = [300.0, 0.4, 90.0, 0.3];
+
+/// r, lever, turn: rolls after 0.1 to 1 rad at the pressures of most states.
+const GRIP: [f64; 3] = [40.0, 0.3, 0.4];
 
 /// An element and the pair it claims to be; of `placement`, `r0` and orientation only the kind counts.
 fn subject(name: &str, slave: Slave, master: Master, law: Law, geometry: &[f64]) -> Subject {
@@ -163,6 +184,7 @@ fn subject(name: &str, slave: Slave, master: Master, law: Law, geometry: &[f64])
         },
         law_parameters: SOFTENED.to_vec(),
         tangential_parameters: WORN.to_vec(),
+        rolling_parameters: GRIP.to_vec(),
         geometry_parameters: geometry.to_vec(),
     }
 }
@@ -228,6 +250,20 @@ fn subjects() -> Vec<Subject> {
         tangent_plane: false,
         rolling: None,
     });
+    let line = || Interpolation::new(Shape::Line2);
+    let (first, last) = (Slave::Curve(line()), Master::Shape(line()));
+    let mut wires = subject("ContactWires", first, last, penalty(), &[]);
+    wires.template.gap = GapKind::Distance;
+    wires.template.tangential = Some(Tangential {
+        rolling: Some(Rolling {
+            law: TangentialLaw::Declared(Arc::new(Grip(GRIP))),
+            directors: Some([[0.0, 0.0, 1.0]; 2]),
+        }),
+        ..Tangential::isotropic(TangentialLaw::Coulomb {
+            eps_t: 500.0,
+            mu: 0.3,
+        })
+    });
     vec![
         subject("PointQuad8", Slave::Point, facet(), softened(), &[]),
         subject("PointWheelTread", Slave::Point, wheel, penalty(), &WHEEL),
@@ -235,6 +271,7 @@ fn subjects() -> Vec<Subject> {
         subject("Quad4Quad8", quad4_points, facet(), penalty(), &[]),
         subject("InterpolatedTorus", cell, torus, softened(), &[]),
         worn,
+        wires,
     ]
 }
 

@@ -14,6 +14,9 @@ use crate::oracle::tangential::{Tangential, TangentialLaw};
 /// Least part of a reference direction across the curve, and least turn of a tangent over one unit of its
 /// parameter: below it the angle keeps too few digits.
 const LEAST_SHARE: f64 = 0.1;
+/// Largest stiffness against the angle, in pressures times sizes: the rounding of a stiffer one's angle shows in the
+/// forces.
+const STIFFEST: f64 = 100.0;
 /// Largest angle since the anchor: beyond half a turn it counts from the other side.
 const LARGEST_ANGLE: f64 = 3.0;
 
@@ -133,7 +136,10 @@ pub(super) fn is_clear(configuration: &Configuration) -> bool {
         let shares = reference_share(&frame, nodes, point.zeta, rolling.directors);
         let known = shares.is_some_and(|shares| shares.iter().all(|&share| share >= LEAST_SHARE));
         let distant = |used: &f64| (used - 1.0).abs() >= LEAST_MARGIN;
+        let [stiffness, _] = rolling.law.stiffness();
+        let soft = stiffness <= STIFFEST * point.force.abs() * configuration.size;
         known
+            && soft
             && found.utilisation.iter().all(distant)
             && found
                 .turned

@@ -291,8 +291,11 @@ unsafe fn project_all(
     let refused = (code::ELEMENT, argument::ELEMENT, 0);
     for number in 0..element.points {
         let sides = gathered.sides(number).ok_or(refused)?;
-        let found = match gathered.declared(&sides) {
+        let [domain, _] = &element.domains;
+        let declared = gathered.declared(&sides);
+        let found = match declared.filter(|&zeta| domain.feature(zeta, 0.0) == 0) {
             Some(zeta) => Closest::at(&sides, zeta, reach),
+            // beyond the domain the declared point says nothing
             None => closest(&sides, &element.domains, &element.periods, reach),
         };
         keep(number, &found.ok_or(refused)?);

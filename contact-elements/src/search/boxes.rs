@@ -259,7 +259,7 @@ impl<'a> Search<'a> {
         let widest = if widths[1] > widths[0] { 1 } else { 0 };
         let is_wide = |i: usize| i < self.region.p && next.upper[i] > next.lower[i];
         let wide = [is_wide(0), is_wide(1) && !next.is_diagonal];
-        if known.is_convex(wide) || widths[widest] < NARROW {
+        if known.is_convex(wide) || known.is_point || widths[widest] < NARROW {
             let (foot, steps) = least_in_box(self.sides, &next, self.region.triangle);
             self.steps += steps;
             return self.take(foot);

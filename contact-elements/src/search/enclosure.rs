@@ -17,6 +17,8 @@ pub(super) struct Enclosure {
     pub(super) slopes: [Interval; 2],
     /// F_11, F_12, F_22
     pub(super) curvature: [Interval; 3],
+    /// All of the box is one point in space, to rounding.
+    pub(super) is_point: bool,
 }
 
 impl Enclosure {
@@ -40,7 +42,9 @@ impl Enclosure {
         let curvature = [f(0, 0), f(0, 1), f(1, 1)];
         let slopes = slopes(&over, &centre, &way, &curvature, axes);
         let least = least(&over, &centre, &way, &curvature, axes);
+        let width = over.r.iter().map(|r| r.upper - r.lower).fold(0.0, f64::max);
         Self {
+            is_point: width <= 100.0 * noise,
             least,
             slopes,
             curvature,

@@ -78,7 +78,7 @@ fn one(finding: &mut Finding, seen: &mut Seen, subject: &Subject, case: &EdgeCas
             reference: &case.positions,
             displacement: &zeros,
             parameters: &subject.parameters(&case.pair),
-            history: &subject.history(&case.start, &case.friction, &case.pair.multipliers),
+            history: &subject.history(&case.start, &case.friction, &subject.template.multipliers),
             slave_row: &subject.slave_row(&case.pair),
             multipliers: &[],
         },

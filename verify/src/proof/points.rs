@@ -20,6 +20,8 @@ const PROJECTION: usize = 4;
 const NORMAL: usize = 6;
 const TANGENTIAL: usize = 11;
 const TANGENTS: usize = 13;
+/// Entries of the history that rolling adds.
+const ANGULAR: usize = 5;
 const ANGLES: usize = 19;
 const MOMENTS: usize = 21;
 
@@ -199,10 +201,14 @@ fn slid(frame: &Frame<'_>, expected: &PointReport, history: &[f64]) -> Vec<Entry
 /// Angles, moments relative to the largest of the point's moments and arms, and what the angles remember; all zero
 /// where the point is not closed. Angles count up to whole turns.
 fn rolled(frame: &Frame<'_>, expected: &PointReport, found: &[f64], history: &[f64]) -> Vec<Entry> {
-    let own = history.get(2 + 2 * frame.parameters..).unwrap_or(&[]);
+    let tangential = frame.pair.tangential.as_ref();
+    let rolls = tangential.is_some_and(|tangential| tangential.rolling.is_some());
+    let entries = if rolls { ANGULAR } else { 0 };
+    let own = history.iter().skip(2 + 2 * frame.parameters).take(entries);
+    let own: Vec<f64> = own.copied().collect();
     let friction = expected.friction;
     let Some((friction, rolling)) = friction.and_then(|f| Some((f, f.rolling?))) else {
-        let silent = found[ANGLES..].iter().chain(own);
+        let silent = found[ANGLES..].iter().chain(&own);
         return silent.map(|&entry| (entry, 0.0, 1.0)).collect();
     };
     let arm = expected.force.abs() * frame.size;

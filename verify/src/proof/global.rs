@@ -2,6 +2,7 @@
 //! projections from a regular grid.
 
 use contact_elements::abi::{Projection, Query, code, project};
+use contact_elements::runtime::Domain;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -104,7 +105,7 @@ fn one(subject: &Subject, generator: &Generator, index: u64, compared: bool) -> 
             global.steps.0 + found.steps as u64,
             global.steps.1.max(found.steps),
         );
-        match judge(&configuration, q, found, compared) {
+        match judge(subject, &configuration, q, found, compared) {
             Ok(()) => global.finding.pass(),
             Err(wrong) => global
                 .finding
@@ -135,6 +136,7 @@ fn disturbed(generator: &Generator, index: u64) -> Option<Configuration> {
 
 /// What is wrong with a result.
 fn judge(
+    subject: &Subject,
     configuration: &Configuration,
     q: usize,
     found: &Projection,
@@ -174,7 +176,7 @@ fn judge(
         }
     }
     if compared {
-        let nearest = nearest(&frame);
+        let nearest = nearest(&frame, &subject.description.descriptor.domains);
         if distance > nearest + FOOT * frame.size {
             return Err(format!("a nearer point is {nearest:e} away: {found:?}"));
         }
@@ -182,8 +184,9 @@ fn judge(
     Ok(())
 }
 
-/// The least distance of a regular grid of points and of the projections from the nearest of them.
-fn nearest(frame: &Frame<'_>) -> f64 {
+/// The least distance of a regular grid of points and of the projections from the nearest of them. Half-bounded
+/// `domains` are known to the declaration alone.
+fn nearest(frame: &Frame<'_>, domains: &[Domain; 2]) -> f64 {
     let window = search_window(frame.pair);
     let region = frame.pair.region();
     let count = GRID[frame.parameters - 1];
@@ -216,7 +219,9 @@ fn nearest(frame: &Frame<'_>) -> f64 {
             Found::Outside { z, .. } => z,
             _ => continue,
         };
-        least = least.min(distance(foot));
+        if frame.pair.slave_parameters() == 1 || domains[0].feature(foot, 1e-9) == 0 {
+            least = least.min(distance(foot));
+        }
     }
     least
 }

@@ -7,7 +7,7 @@ use super::driver::{Call, Failure, Receiver, Stage, Summary, evaluate};
 use super::element::Element;
 use super::friction::TangentialLaw;
 use super::gather::{Nodes, gather, is_usable, shift_of_row};
-use super::tangential::TangentialRows;
+use super::tangential::{SLIDING_ROWS, TangentialRows};
 use super::values::{Rows, Status};
 use crate::arithmetic::abs;
 
@@ -108,8 +108,8 @@ pub fn fixed<
     let mut g = [[0.0; W]; P];
     let (mut h, mut row, mut variation) = ([0.0; W], [0.0; W], [0.0; W]);
     let mut second = [[0.0; N]; H];
-    let (mut slave, mut cross, mut whole) = ([0.0; N], [0.0; N], [0.0; W]);
-    let [mut z, mut p, mut q] = [[[0.0; W]; P]; 3];
+    let mut slave = [0.0; N];
+    let mut columns = [[[0.0; W]; P]; SLIDING_ROWS];
     let mut stage = Stage {
         x: &x,
         reference: &reference,
@@ -127,11 +127,7 @@ pub fn fixed<
         tangential: TangentialRows {
             second: second.each_mut().map(|row| row.as_mut_slice()),
             slave: &mut slave,
-            cross: &mut cross,
-            z: z.each_mut().map(|row| row.as_mut_slice()),
-            p: p.each_mut().map(|row| row.as_mut_slice()),
-            g: q.each_mut().map(|row| row.as_mut_slice()),
-            row: &mut whole,
+            columns: columns.as_flattened_mut().as_flattened_mut(),
         },
     };
     Ok(evaluate::<E, R, D, P, H, Q>(call, &mut stage, receiver)?)
@@ -140,12 +136,22 @@ pub fn fixed<
 /// Doubles of workspace that `interpolated` needs for `n` nodes.
 #[inline]
 pub const fn workspace(n: usize, d: usize, p: usize, friction: bool) -> usize {
+    let width = row_width(n * d, friction);
     let tangential = if friction {
-        n * (p * (p + 1) / 2 + 2) + n * d * (3 * p + 1)
+        n * (p * (p + 1) / 2 + 1) + SLIDING_ROWS * p * width
     } else {
         0
     };
-    n * d + n * (1 + p) + n * d * (d + p + 2) + tangential
+    n * d + n * (1 + p) + width * (d + p + 2) + tangential
+}
+
+/// Length of a row over all unknowns; with friction in whole quadruples.
+const fn row_width(unknowns: usize, friction: bool) -> usize {
+    if friction {
+        unknowns.next_multiple_of(4)
+    } else {
+        unknowns
+    }
 }
 
 /// Kernel of an element whose slave row is handed in: scratch comes from `memory`.
@@ -188,22 +194,19 @@ pub fn interpolated<
     let (x, _) = take(n * D).as_chunks_mut::<D>();
     let s = take(n);
     let ds = core::array::from_fn(|_| take(n));
-    let u = core::array::from_fn(|_| take(n * D));
-    let g = core::array::from_fn(|_| take(n * D));
-    let (h, row) = (take(n * D), take(n * D));
+    let width = row_width(n * D, E::Tangential::ACTIVE);
+    let u = core::array::from_fn(|_| take(width));
+    let g = core::array::from_fn(|_| take(width));
+    let (h, row) = (take(width), take(width));
     let (nodes_more, unknowns_more) = if E::Tangential::ACTIVE {
-        (n, n * D)
+        (n, width)
     } else {
         (0, 0)
     };
     let tangential = TangentialRows {
         second: core::array::from_fn(|_| take(nodes_more)),
         slave: take(nodes_more),
-        cross: take(nodes_more),
-        z: core::array::from_fn(|_| take(unknowns_more)),
-        p: core::array::from_fn(|_| take(unknowns_more)),
-        g: core::array::from_fn(|_| take(unknowns_more)),
-        row: take(unknowns_more),
+        columns: take(SLIDING_ROWS * P * unknowns_more),
     };
     let first_master = n.saturating_sub(E::MASTER_NODES);
     let is_vector = |a: usize| {

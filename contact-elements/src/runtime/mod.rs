@@ -26,6 +26,7 @@ mod receiver;
 mod shape;
 mod sliding;
 mod tangential;
+mod tangential_contraction;
 mod transfer;
 mod values;
 
@@ -47,7 +48,8 @@ pub use projection::{Projected, project};
 pub use receiver::{Call, Failure, Receiver, Report, Summary, Wanted};
 pub use shape::{Distance, Domain, NormalLaw, Rigid, Shape, Traction};
 pub use tangential::{
-    Form, TangentialCoefficients, TangentialForce, TangentialRows, contract_tangential,
+    ForceChange, SecondVariation, TangentialCoefficients, TangentialForce, TangentialRows, Variation,
 };
+pub use tangential_contraction::{Shares, contract_sliding};
 pub use transfer::TangentPlane;
 pub use values::{Coefficients, Frame, Gap, Measure, Rows, ShapeRows, Status, Vectors, dot};

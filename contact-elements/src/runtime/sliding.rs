@@ -10,8 +10,9 @@ use super::element::Element;
 use super::friction::{Tangential, return_map};
 use super::placement::Placement;
 use super::receiver::{Call, Receiver};
-use super::tangential::contract_tangential;
-use super::values::{Coefficients, Frame, Status};
+use super::tangential::TangentialRows;
+use super::tangential_contraction::{Shares, contract_sliding};
+use super::values::{Coefficients, Frame, Rows, Status};
 use crate::arithmetic::abs;
 
 /// Least share of an axis in the tangent plane.
@@ -129,8 +130,9 @@ fn is_finite<const P: usize>(frame: &Frame<P>) -> bool {
     finite
 }
 
-/// Adds the tangential residual. [eq:tangential-residual]
-#[inline(never)]
+/// Gives the residual of a sticking or sliding point to the receiver, the normal one (`pull`: w N) included.
+/// [eq:tangential-residual]
+#[inline(always)]
 pub(super) fn residual<
     E: Element<D, P, H>,
     R: Receiver,
@@ -142,34 +144,43 @@ pub(super) fn residual<
     placement: &Option<Placement<D>>,
     point: &Point<D, P, H>,
     sliding: &Sliding<P>,
-    (n, weight): (&[f64; D], f64),
+    (n, weight, pull, first): (&[f64; D], f64, f64, bool),
     receiver: &mut R,
 ) {
     let (frame, tangential) = (&sliding.frame, &sliding.tangential);
-    let mut force = E::tangential_force(&point.vectors, &point.gap, frame, tangential);
+    let mut own = E::tangential_force(&point.vectors, &point.gap, frame, tangential);
     if let Some(placement) = placement {
-        force.force = placement.vector_to_global(&force.force);
+        own.force = placement.vector_to_global(&own.force);
     }
+    let mut force = [0.0; D];
+    for k in 0..D {
+        force[k] = pull * n[k] + weight * own.force[k];
+    }
+    let turn = own.turn.map(|turn| weight * turn);
     for (a, &s) in stage.rows.s.iter().enumerate() {
-        let mut turn = 0.0;
+        let mut along = 0.0;
         if E::MOVING {
             for i in 0..P {
-                turn += force.turn[i] * stage.rows.ds[i].get(a).copied().unwrap_or(0.0);
+                along += turn[i] * stage.rows.ds[i].get(a).copied().unwrap_or(0.0);
             }
         }
         for k in 0..D {
-            let value = weight * (s * force.force[k] + turn * n[k]);
-            receiver.force((a, k), value, false);
+            let mut value = s * force[k];
+            if E::MOVING {
+                value += along * n[k];
+            }
+            receiver.force((a, k), value, first);
         }
     }
 }
 
-/// Number of a contact point, the point, its normal in the global frame, its weight.
+/// Number of a contact point, the point, its normal in the global frame, its weight, whether it is the first.
 pub(super) type Place<'a, const D: usize, const P: usize, const H: usize> =
-    (usize, &'a Point<D, P, H>, &'a [f64; D], f64);
+    (usize, &'a Point<D, P, H>, &'a [f64; D], f64, bool);
 
-/// Adds the tangential tangent. [eq:tangential-contraction]
-#[inline(never)]
+/// Gives the tangent of a sticking or sliding point to the receiver, the normal one included.
+/// [eq:tangential-contraction]
+#[inline(always)]
 pub(super) fn tangent<
     E: Element<D, P, H>,
     R: Receiver,
@@ -181,7 +192,8 @@ pub(super) fn tangent<
     stage: &mut Stage<'_, D, P, H>,
     placement: &Option<Placement<D>>,
     sliding: &Sliding<P>,
-    (number, point, n, weight): Place<'_, D, P, H>,
+    (number, point, n, weight, first): Place<'_, D, P, H>,
+    normal: &Coefficients<D, P>,
     receiver: &mut R,
 ) {
     let scratch = &mut stage.tangential;
@@ -199,34 +211,37 @@ pub(super) fn tangent<
         call.parameters,
     );
     if let Some(placement) = placement {
-        let forms = coefficients.z.iter_mut().chain(&mut coefficients.p);
-        for form in forms.chain(&mut coefficients.g) {
-            *form = form.turned(|vector| placement.vector_to_global(vector));
-        }
+        coefficients.turn(|vector| placement.vector_to_global(vector));
     }
-    let mut variation: &[f64] = &[];
+    if weight != 1.0 {
+        coefficients.weigh(weight);
+    }
     if E::CURRENT {
-        let Stage {
-            reference,
-            x,
-            variation: rows,
-            ..
-        } = stage;
-        E::measure(number, reference, x, call.parameters, rows);
-        scale_variation(rows, 1.0, placement);
-        variation = rows;
+        scale_variation(stage.variation, 1.0, placement);
     }
-    let t = core::array::from_fn(|q| sliding.tangential.t.get(q).copied().unwrap_or(0.0));
-    contract_tangential(
-        &stage.rows,
+    let shares = Shares {
         n,
-        &coefficients,
-        weight,
-        (&t, variation),
-        E::MOVING,
-        scratch,
-        receiver,
-    );
+        normal,
+        tangential: &coefficients,
+        measure: if E::CURRENT { stage.variation } else { &[] },
+        traction: point.law.traction,
+        t: core::array::from_fn(|q| sliding.tangential.t.get(q).copied().unwrap_or(0.0)),
+        moving: E::MOVING,
+        slave_axis: E::SLAVE_AXIS,
+        first,
+    };
+    // made here: a call that got the stage itself would have all that it refers to go through memory
+    let rows = Rows {
+        s: &mut *stage.rows.s,
+        ds: stage.rows.ds.each_mut().map(|row| &mut **row),
+    };
+    let blocks = stage.temporaries.u.each_mut().map(|row| &mut **row);
+    let mut scratch = TangentialRows {
+        second: scratch.second.each_mut().map(|row| &mut **row),
+        slave: &mut *scratch.slave,
+        columns: &mut *scratch.columns,
+    };
+    contract_sliding(&rows, &shares, blocks, &mut scratch, receiver);
 }
 
 /// Where no unknown turns the tangents, no axis moves with the slave and no measure with the point, the
@@ -250,7 +265,7 @@ pub(super) fn join<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         call.parameters,
         &mut core::array::from_fn(|_| <&mut [f64]>::default()),
     );
-    E::tangential_tangent(
+    let joined = E::tangential_tangent(
         (number, x),
         &point.vectors,
         &point.gap,
@@ -259,5 +274,8 @@ pub(super) fn join<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         (&sliding.tangential, point.law.slope),
         call.parameters,
     )
-    .add_to(&mut coefficients.p);
+    .joined();
+    for (to, from) in coefficients.p.iter_mut().flatten().zip(joined.as_flattened()) {
+        *to += from;
+    }
 }

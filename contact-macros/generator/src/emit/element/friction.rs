@@ -235,16 +235,7 @@ impl Facts<'_> {
         if friction.axis == Some(Axis::Slave) {
             inputs.extend((0..d).map(|k| quote! { slave_tangent[#k] }));
         }
-        let width = 2 * d + p * d + h;
-        let forms = |start: usize| {
-            let forms = (0..p).map(|q| form(start + q * width, (d, p, h)));
-            quote! { [#(#forms),*] }
-        };
-        let (z, second, g) = (forms(0), forms(p * width), forms(2 * p * width));
-        let cross = (0..p).map(|i| {
-            let index = 3 * p * width + i;
-            quote! { o[#index] }
-        });
+        let coefficients = coefficients((d, p, h));
         quote! {
             #[inline(always)]
             fn tangential_tangent(
@@ -258,9 +249,7 @@ impl Facts<'_> {
             ) -> runtime::TangentialCoefficients<#d, #p, #h> {
                 #tangent
                 let o = friction::#function(&[#(#inputs),*]);
-                runtime::TangentialCoefficients {
-                    z: #z, p: #second, g: #g, cross: [#(#cross),*],
-                }
+                #coefficients
             }
         }
     }
@@ -317,17 +306,34 @@ impl Facts<'_> {
     }
 }
 
-/// A linear form from consecutive outputs.
-fn form(start: usize, (d, p, h): (usize, usize, usize)) -> TokenStream {
+/// The coefficients of the tangential tangent from the output array `o`.
+fn coefficients((d, p, h): (usize, usize, usize)) -> TokenStream {
     let run = |start: usize, count: usize| {
         let entries = (start..start + count).map(|index| quote! { o[#index] });
         quote! { [#(#entries),*] }
     };
-    let position = run(start, d);
-    let turning = matrix(start + d, p, d);
-    let bending = run(start + d + p * d, h);
-    let slave = run(start + d + p * d + h, d);
-    quote! {
-        runtime::Form { position: #position, turning: #turning, bending: #bending, slave: #slave }
-    }
+    let mut start = 0;
+    let mut forms = |width: usize, form: &dyn Fn(usize) -> TokenStream| {
+        let forms: Vec<TokenStream> = (0..p).map(|q| form(start + q * width)).collect();
+        start += p * width;
+        quote! { [#(#forms),*] }
+    };
+    let z = forms(d + p, &|at| {
+        let (position, turning) = (run(at, d), run(at + d, p));
+        quote! { runtime::Variation { position: #position, turning: #turning } }
+    });
+    let second = forms(d + p * d + h, &|at| {
+        let (position, turning) = (run(at, d), matrix(at + d, p, d));
+        let bending = run(at + d + p * d, h);
+        quote! {
+            runtime::SecondVariation { position: #position, turning: #turning, bending: #bending }
+        }
+    });
+    let g = forms(2 * d + p * d, &|at| {
+        let (position, turning) = (run(at, d), matrix(at + d, p, d));
+        let slave = run(at + d + p * d, d);
+        quote! { runtime::ForceChange { position: #position, turning: #turning, slave: #slave } }
+    });
+    let cross = run(start, p);
+    quote! { runtime::TangentialCoefficients { z: #z, p: #second, g: #g, cross: #cross } }
 }

@@ -77,7 +77,11 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         point.status = Status::Closed;
         point.law = law::<E, D, P, H>(gap, call.parameters)?;
         if E::Tangential::ACTIVE {
-            *sliding = slide::<E, D, P, H>(call, stage.x, number, &mut point)?;
+            // copies: what a call is handed would be memory on every path
+            let (vectors, gap) = (point.vectors, point.gap);
+            let nodes = if E::SLAVE_AXIS { stage.x } else { &[] };
+            let normal = (&vectors, &gap, point.law.traction);
+            point.status = slide::<E, D, P, H>(call, (number, nodes), point.zeta, normal, sliding)?;
         }
         if call.wanted.tangent && !has_derivatives(&point.vectors) {
             return Err(Status::Degenerate);

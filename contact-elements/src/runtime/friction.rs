@@ -77,17 +77,16 @@ const THINNEST: f64 = 1e-13;
 /// Most steps to the ellipse.
 const MOST_STEPS: u32 = 60;
 
-/// Force at the slip s since the anchor. `path`: slip path of the accepted history; `forced`: stick or slip
-/// as the history says.
-// a call, not inlined: one copy serves all elements of the same law
-#[inline(never)]
+/// Force at the slip s since the anchor, to `tangential`. `path`: slip path of the accepted history; `forced`:
+/// stick or slip as the history says.
+#[inline(always)]
 pub fn return_map<L: TangentialLaw>(
     s: [f64; 2],
-    pressure: f64,
-    path: f64,
+    (pressure, path): (f64, f64),
     parameters: &[f64],
     forced: Option<Status>,
-) -> Result<(Status, Tangential), Status> {
+    tangential: &mut Tangential,
+) -> Result<Status, Status> {
     let length = sqrt(s[0] * s[0] + s[1] * s[1]);
     let mut friction = L::evaluate(pressure, path + length, parameters);
     if !is_usable::<L>(&friction) {
@@ -97,31 +96,35 @@ pub fn return_map<L: TangentialLaw>(
     let [first, last] = friction.bound;
     friction.bound = [first.max(THINNEST * last), last.max(THINNEST * first)];
     let e = friction.stiffness;
-    let stick = Tangential {
-        t: [e[0] * s[0], e[1] * s[1]],
+    let trial = [e[0] * s[0], e[1] * s[1]];
+    let held = !L::BOUNDED || length == 0.0 || forced == Some(Status::Stick);
+    if !held && !has_room(&trial, &friction.bound) {
+        *tangential = Tangential::default();
+        return Ok(Status::Slip);
+    }
+    if !held {
+        let (beyond, gamma) = if L::ORTHOTROPIC {
+            ellipse(&trial, &friction)
+        } else {
+            (e[0] * length > friction.bound[0], Some(0.0))
+        };
+        match gamma {
+            Some(gamma) if beyond || forced == Some(Status::Slip) => {
+                *tangential = L::slide(s, &friction, gamma);
+                store(tangential, e);
+                return Ok(Status::Slip);
+            }
+            None if beyond => return Err(Status::NotConverged),
+            _ => {}
+        }
+    }
+    *tangential = Tangential {
+        t: trial,
         c: [[e[0], 0.0], [0.0, e[1]]],
         ..Tangential::default()
     };
-    if !L::BOUNDED || length == 0.0 || forced == Some(Status::Stick) {
-        return Ok((Status::Stick, stored(stick, e)));
-    }
-    if !has_room(&stick.t, &friction.bound) {
-        return Ok((Status::Slip, Tangential::default()));
-    }
-    let (beyond, gamma) = if L::ORTHOTROPIC {
-        ellipse(&stick.t, &friction)
-    } else {
-        (e[0] * length > friction.bound[0], Some(0.0))
-    };
-    let slips = beyond || forced == Some(Status::Slip);
-    match gamma {
-        Some(gamma) if slips => {
-            let slide = L::slide(s, &friction, gamma);
-            Ok((Status::Slip, stored(slide, e)))
-        }
-        None if beyond => Err(Status::NotConverged),
-        _ => Ok((Status::Stick, stored(stick, e))),
-    }
+    store(tangential, e);
+    Ok(Status::Stick)
 }
 
 /// Stiffnesses are positive, all values are numbers.
@@ -151,12 +154,11 @@ fn has_room(trial: &[f64; 2], bound: &[f64; 2]) -> bool {
 
 /// The energy and the elastic slip of a force.
 #[inline(always)]
-fn stored(mut tangential: Tangential, e: [f64; 2]) -> Tangential {
+fn store(tangential: &mut Tangential, e: [f64; 2]) {
     for q in 0..2 {
         tangential.elastic[q] = tangential.t[q] / e[q];
         tangential.energy += 0.5 * tangential.t[q] * tangential.elastic[q];
     }
-    tangential
 }
 
 /// Whether the trial force lies beyond the ellipse, and γ with Σ (y_q/(1 + γ k_q))² = 1, y_q = t_q/B_q,

@@ -60,19 +60,20 @@ fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: u
     if !E::Tangential::ACTIVE {
         return Ok(());
     }
-    for (index, value) in history.iter().enumerate() {
-        let value = value.get();
-        let possible = match index % E::HISTORY {
-            0 => is_status(value),
-            entry if entry <= P => true,
-            entry if entry <= 2 * P => {
-                let i = entry - 1 - P;
-                abs(value - E::centre()[i]) <= FARTHEST * E::extent(i)
+    for (number, own) in history.chunks_exact(E::HISTORY).enumerate() {
+        let at = |entry: usize| own.get(entry).map_or(0.0, Cell::get);
+        let impossible = |entry: usize| Err(InputError::Impossible(number * E::HISTORY + entry));
+        if !is_status(at(0)) {
+            return impossible(0);
+        }
+        for i in 0..P {
+            let far = abs(at(1 + P + i) - E::centre()[i]) > FARTHEST * E::extent(i);
+            if far {
+                return impossible(1 + P + i);
             }
-            _ => value >= 0.0,
-        };
-        if !possible {
-            return Err(InputError::Impossible(index));
+        }
+        if at(1 + 2 * P) < 0.0 {
+            return impossible(1 + 2 * P);
         }
     }
     Ok(())

@@ -46,6 +46,11 @@ mod avx2 {
         }
 
         #[inline(always)]
+        pub(in crate::runtime) fn scaled(self, factor: f64) -> Self {
+            self.times(Self::splat(factor))
+        }
+
+        #[inline(always)]
         pub(in crate::runtime) fn plus(self, other: Self) -> Self {
             // SAFETY: AVX2 is there.
             Self(unsafe { _mm256_add_pd(self.0, other.0) })
@@ -120,6 +125,11 @@ mod sse2 {
         pub(in crate::runtime) fn times(self, other: Self) -> Self {
             // SAFETY: SSE2 is there.
             unsafe { Self(_mm_mul_pd(self.0, other.0), _mm_mul_pd(self.1, other.1)) }
+        }
+
+        #[inline(always)]
+        pub(in crate::runtime) fn scaled(self, factor: f64) -> Self {
+            self.times(Self::splat(factor))
         }
 
         #[inline(always)]
@@ -198,6 +208,11 @@ mod portable {
         #[inline(always)]
         pub(in crate::runtime) fn times(self, other: Self) -> Self {
             Self(core::array::from_fn(|l| self.0[l] * other.0[l]))
+        }
+
+        #[inline(always)]
+        pub(in crate::runtime) fn scaled(self, factor: f64) -> Self {
+            self.times(Self::splat(factor))
         }
 
         #[inline(always)]

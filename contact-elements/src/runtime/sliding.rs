@@ -12,7 +12,7 @@ use super::placement::Placement;
 use super::receiver::{Call, Receiver};
 use super::tangential::TangentialRows;
 use super::tangential_contraction::{Shares, contract_sliding};
-use super::values::{Coefficients, Frame, Rows, Status};
+use super::values::{Coefficients, Frame, Gap, Rows, Status, Vectors};
 use crate::arithmetic::abs;
 
 /// Least share of an axis in the tangent plane.
@@ -56,18 +56,18 @@ fn accepted<const P: usize>(history: Option<&[Cell<f64>]>) -> Option<([f64; P], 
 #[inline(never)]
 pub(super) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
-    x: &[[f64; D]],
-    number: usize,
-    point: &mut Point<D, P, H>,
-) -> Result<Sliding<P>, Status> {
+    (number, x): (usize, &[[f64; D]]),
+    zeta: [f64; P],
+    (vectors, gap, traction): (&Vectors<D, P, H>, &Gap<D>, f64),
+    sliding: &mut Sliding<P>,
+) -> Result<Status, Status> {
     let history = call
         .history
         .and_then(|history| history.get(number * E::HISTORY..));
     // contact that begins is anchored where it is
     let remembered = accepted(history);
-    let (anchor, path) = remembered.unwrap_or((point.zeta, 0.0));
-    let moved = core::array::from_fn(|i| point.zeta[i] - anchor[i]);
-    let Point { vectors, gap, .. } = &*point;
+    let (anchor, path) = remembered.unwrap_or((zeta, 0.0));
+    let moved = core::array::from_fn(|i| zeta[i] - anchor[i]);
     let frame = E::frame(number, x, vectors, gap, &moved, call.parameters);
     // an axis of length zero, or a slave curve that stands on the surface
     if !(is_finite(&frame) && frame.share > LEAST_SHARE) {
@@ -83,22 +83,23 @@ pub(super) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
         (true, Some(status)) if status.get() == 3.0 => Some(Status::Slip),
         _ => None,
     };
-    let (status, mut tangential) =
-        return_map::<E::Tangential>(s, -point.law.traction, path, own, forced)?;
+    let status = return_map::<E::Tangential>(
+        s,
+        (-traction, path),
+        own,
+        forced,
+        &mut sliding.tangential,
+    )?;
     if remembered.is_none() {
-        tangential.c = [[0.0; 2]; 2]; // the anchor moves with the point
+        sliding.tangential.c = [[0.0; 2]; 2]; // the anchor moves with the point
     }
-    point.status = status;
-    let mut sliding = Sliding {
-        frame,
-        tangential,
-        anchor,
-        path,
-    };
+    sliding.frame = frame;
+    sliding.anchor = anchor;
+    sliding.path = path;
     if status == Status::Slip {
-        sliding.move_anchor(&point.zeta, s);
+        sliding.move_anchor(&zeta, s);
     }
-    Ok(sliding)
+    Ok(status)
 }
 
 impl<const P: usize> Sliding<P> {
@@ -201,10 +202,11 @@ pub(super) fn tangent<
     if E::SLAVE_AXIS {
         E::slave_direction(number, call.parameters, scratch.slave);
     }
+    let (vectors, gap) = (point.vectors, point.gap);
     let mut coefficients = E::tangential_tangent(
         (number, stage.x),
-        &point.vectors,
-        &point.gap,
+        &vectors,
+        &gap,
         &sliding.frame,
         &third,
         (&sliding.tangential, point.law.slope),
@@ -226,8 +228,6 @@ pub(super) fn tangent<
         measure: if E::CURRENT { stage.variation } else { &[] },
         traction: point.law.traction,
         t: core::array::from_fn(|q| sliding.tangential.t.get(q).copied().unwrap_or(0.0)),
-        moving: E::MOVING,
-        slave_axis: E::SLAVE_AXIS,
         first,
     };
     // made here: a call that got the stage itself would have all that it refers to go through memory
@@ -241,7 +241,7 @@ pub(super) fn tangent<
         slave: &mut *scratch.slave,
         columns: &mut *scratch.columns,
     };
-    contract_sliding(&rows, &shares, blocks, &mut scratch, receiver);
+    contract_sliding::<E, R, D, P, H>(&rows, &shares, blocks, &mut scratch, receiver);
 }
 
 /// Where no unknown turns the tangents, no axis moves with the slave and no measure with the point, the
@@ -252,7 +252,7 @@ pub(super) fn joins<E: Element<D, P, H>, const D: usize, const P: usize, const H
 }
 
 /// Adds the tangential tangent to the coefficients of the normal one, see [`joins`].
-#[inline(never)]
+#[inline(always)]
 pub(super) fn join<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
     x: &[[f64; D]],
@@ -265,16 +265,16 @@ pub(super) fn join<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         call.parameters,
         &mut core::array::from_fn(|_| <&mut [f64]>::default()),
     );
-    let joined = E::tangential_tangent(
+    let (vectors, gap) = (point.vectors, point.gap);
+    let joined = E::joined_tangent(
         (number, x),
-        &point.vectors,
-        &point.gap,
+        &vectors,
+        &gap,
         &sliding.frame,
         &third,
         (&sliding.tangential, point.law.slope),
         call.parameters,
-    )
-    .joined();
+    );
     for (to, from) in coefficients.p.iter_mut().flatten().zip(joined.as_flattened()) {
         *to += from;
     }

@@ -144,9 +144,8 @@ impl<const D: usize, const P: usize, const H: usize> TangentialCoefficients<D, P
     }
 }
 
-/// Rows of scratch over all unknowns for each projected parameter: P (Z), D (what s_A multiplies) and P·D (what
-/// s_A,i multiplies) are at most that many.
-pub const SLIDING_ROWS: usize = 7;
+/// Rows of scratch over all unknowns for each projected parameter: twice P + D are at most that many.
+pub const SLIDING_ROWS: usize = 8;
 
 /// Rows of second derivatives and of the slave's tangent, and more scratch of the contraction.
 #[derive(Debug)]

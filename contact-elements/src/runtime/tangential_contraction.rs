@@ -1,14 +1,15 @@
-//! Contraction of normal and tangential contact at once: one row of K is a sum of at most 2 + P rows.
+//! Contraction of normal and tangential contact at once: one row of K is a sum of at most 3 + P rows.
 //!
 //! ```text
-//! row(A,k) = s_A u_k + s_A,i v_ik + n_k b_qA Z_q                             [eq:tangential-contraction]
+//! row(A,k) = s_A u_k + n_k s_A,j g_j + π_q(A,k) Z_q + σ_A s_B δ_kl           [eq:tangential-contraction]
 //! u_k      = s_B p_kl + s_B,j right_j[k] n_l + z_q[k] G_q + p_q[k] Z_q + σ_B δ_kl + n_k N J_(B,l)
-//! v_ik     = n_k (s_B left_i[l] + s_B,j s_ij n_l + z_qi G_q) + p_qi[k] Z_q + cross_i s_B δ_kl
-//! b_qA     = s_A,ij p_qij ,   z, p of Z and −P
+//! g_j      = s_B left_j[l] + s_B,i s_ji n_l + z_qj G_q
+//! π_q(A,k) = s_A,i p_qi[k] + s_A,ij p_qij n_k ,   z, p of Z and −P
 //! ```
 
 use super::contraction::padded;
 use super::driver::Receiver;
+use super::element::Element;
 use super::lanes::Lanes;
 use super::tangential::{TangentialCoefficients, TangentialRows};
 use super::values::{Coefficients, Rows};
@@ -28,106 +29,140 @@ pub struct Shares<'a, const D: usize, const P: usize, const H: usize> {
     pub traction: f64,
     /// t_q, which multiply them.
     pub t: [f64; P],
-    /// False where all s_A,i vanish.
-    pub moving: bool,
-    /// True where the slave's tangent is an axis.
-    pub slave_axis: bool,
     /// True where the rows replace what the receiver holds.
     pub first: bool,
 }
 
 /// Gives K to the receiver row by row: normal and tangential contact at once.
 ///
-/// `scratch.columns`: Z_q, u_k and v_ik, four unknowns side by side; `blocks`: the rows of one node.
-// a call, not inlined: one copy serves all elements of the same sizes
+/// `scratch.columns`: u_k, s_B δ_kl, g_j and Z_q, four unknowns side by side; `blocks`: the rows of one node.
+// a call, not inlined: the kernel around it stays as small as without friction
 #[inline(never)]
-pub fn contract_sliding<R: Receiver, const D: usize, const P: usize, const H: usize>(
+pub fn contract_sliding<
+    E: Element<D, P, H>,
+    R: Receiver,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
     rows: &Rows<'_, P>,
     shares: &Shares<'_, D, P, H>,
     blocks: [&mut [f64]; D],
     scratch: &mut TangentialRows<'_, H>,
     receiver: &mut R,
 ) {
-    let size = P + D + P * D;
-    let (columns, _) = scratch.columns.as_chunks_mut::<4>();
-    let mut quads = columns.chunks_exact_mut(size);
-    for first in (0..rows.s.len()).step_by(4) {
-        let second: [&[f64]; H] = core::array::from_fn(|h| &*scratch.second[h]);
-        let nodes = FourNodes::new(first, rows, shares, (&second, scratch.slave));
+    // constants, but for slaves of any discretisation
+    let n = match E::SLAVE_NODES {
+        0 => rows.s.len(),
+        slaves => slaves + E::MASTER_NODES,
+    };
+    let width = (n * D).next_multiple_of(4);
+    let size = 2 * (P + D);
+    let columns = core::mem::take(&mut scratch.columns);
+    let (Some(s), Some(columns)) = (rows.s.get(..n), columns.get_mut(..size * width)) else {
+        return;
+    };
+    let rows = Nodal {
+        s,
+        ds: core::array::from_fn(|i| &*rows.ds[i]),
+        second: core::array::from_fn(|h| &*scratch.second[h]),
+        slave: scratch.slave,
+    };
+    let mut quads = columns.as_chunks_mut::<4>().0.chunks_exact_mut(size);
+    for first in (0..n).step_by(4) {
+        let nodes = FourNodes::new::<E, D, H>(first, &rows, shares);
         let start = D * first;
-        let count = D * rows.s.len() - start;
+        let count = D * n - start;
         if let Some(quad) = quads.next() {
-            columns_of::<0, D, P, H>(&nodes, shares, start, quad);
+            columns_of::<0, E, D, P, H>(&nodes, shares, start, quad);
         }
         if let (true, Some(quad)) = (count > 4, quads.next()) {
-            columns_of::<1, D, P, H>(&nodes, shares, start + 4, quad);
+            columns_of::<1, E, D, P, H>(&nodes, shares, start + 4, quad);
         }
         if let (true, Some(quad)) = (D > 2 && count > 8, quads.next()) {
-            columns_of::<2, D, P, H>(&nodes, shares, start + 8, quad);
+            columns_of::<2, E, D, P, H>(&nodes, shares, start + 8, quad);
         }
     }
-    let unknowns = rows.s.len() * D;
     let mut blocks = blocks.map(|row| row.as_chunks_mut::<4>().0);
     for (a, &s_a) in rows.s.iter().enumerate() {
+        let quads = columns.as_chunks::<4>().0.chunks_exact(size);
         let ds: [f64; P] = core::array::from_fn(|i| entry(rows.ds[i], a));
-        let mut bends = [0.0; P];
-        for (bend, p) in bends.iter_mut().zip(&shares.tangential.p) {
-            for h in 0..H {
-                *bend += entry(scratch.second[h], a) * p.bending[h];
+        // a slave's node without a projection turns no tangent
+        if !E::MOVING || !E::TWO_CURVES && a + E::MASTER_NODES < n {
+            for (number, quad) in quads.enumerate() {
+                for k in 0..D {
+                    store(blocks[k], number, load(quad, k).scaled(s_a));
+                }
             }
-        }
-        let (columns, _) = scratch.columns.as_chunks::<4>();
-        let quads = columns.chunks_exact(size);
-        let node = (s_a, &ds, &bends);
-        // two curves: a node turns one of the tangents; a slave's node without a projection none
-        match (ds[0] != 0.0, P == 2 && ds[P - 1] != 0.0, bends != [0.0; P]) {
-            (false, false, false) => node_rows::<0, 0, false, D, P>(node, shares.n, quads, &mut blocks),
-            (true, false, false) => node_rows::<0, 1, false, D, P>(node, shares.n, quads, &mut blocks),
-            (true, false, true) => node_rows::<0, 1, true, D, P>(node, shares.n, quads, &mut blocks),
-            (false, true, false) => node_rows::<1, 2, false, D, P>(node, shares.n, quads, &mut blocks),
-            (false, true, true) => node_rows::<1, 2, true, D, P>(node, shares.n, quads, &mut blocks),
-            (true, true, false) => node_rows::<0, 2, false, D, P>(node, shares.n, quads, &mut blocks),
-            _ => node_rows::<0, 2, true, D, P>(node, shares.n, quads, &mut blocks),
+        } else {
+            node_rows::<E, D, P, H>((s_a, &ds, a), &rows, shares, quads, &mut blocks);
         }
         for (k, row) in blocks.iter().enumerate() {
-            let row = row.as_flattened().get(..unknowns).unwrap_or_default();
-            receiver.row(a * D + k, row, shares.first);
+            if let Some(row) = row.as_flattened().get(..n * D) {
+                receiver.row(a * D + k, row, shares.first);
+            }
         }
     }
 }
 
-/// The D rows of one node: s_A u_k + s_A,i v_ik, i from `FIRST` to below `LAST`, and with `BENDS` n_k b_q Z_q.
+/// Rows over the nodes.
+struct Nodal<'a, const P: usize, const H: usize> {
+    s: &'a [f64],
+    ds: [&'a [f64]; P],
+    second: [&'a [f64]; H],
+    slave: &'a [f64],
+}
+
+/// True where s_A,ij need not vanish.
+fn is_bent<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>() -> bool {
+    E::MOVING && E::CURVED.contains(&true)
+}
+
+/// The D rows of a node that turns the tangents.
 #[inline(always)]
-fn node_rows<const FIRST: usize, const LAST: usize, const BENDS: bool, const D: usize, const P: usize>(
-    (s, ds, bends): (f64, &[f64; P], &[f64; P]),
-    n: &[f64; D],
+fn node_rows<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    (s, ds, a): (f64, &[f64; P], usize),
+    rows: &Nodal<'_, P, H>,
+    shares: &Shares<'_, D, P, H>,
     quads: core::slice::ChunksExact<'_, [f64; 4]>,
     blocks: &mut [&mut [[f64; 4]]; D],
 ) {
-    let s = Lanes::splat(s);
-    let ds = ds.map(Lanes::splat);
-    let bends = bends.map(Lanes::splat);
-    let n = n.map(Lanes::splat);
-    for (number, quad) in quads.enumerate() {
-        let at = |index: usize| quad.get(index).map_or(s, |lanes| Lanes::new(*lanes));
-        let mut bend = s;
-        if BENDS {
-            bend = bends[0].times(at(0));
-            for q in 1..P {
-                bend = bend.plus(bends[q].times(at(q)));
+    let c = shares.tangential;
+    let mut cross = 0.0;
+    let mut turns = [[0.0; D]; P];
+    for i in 0..P {
+        cross += c.cross[i] * ds[i];
+    }
+    for q in 0..P {
+        let mut bend = 0.0;
+        for h in 0..H {
+            if E::CURVED[h] {
+                bend += entry(rows.second[h], a) * c.p[q].bending[h];
             }
         }
         for k in 0..D {
-            let mut sum = s.times(at(P + k));
-            for i in FIRST..LAST.min(P) {
-                sum = sum.plus(ds[i].times(at(P + D + D * i + k)));
+            turns[q][k] = bend * shares.n[k];
+            for i in 0..P {
+                turns[q][k] += ds[i] * c.p[q].turning[i][k];
             }
-            if BENDS {
-                sum = sum.plus(n[k].times(bend));
+        }
+    }
+    let (s, cross) = (Lanes::splat(s), Lanes::splat(cross));
+    let ds = ds.map(Lanes::splat);
+    let n = shares.n.map(Lanes::splat);
+    let turns = turns.map(|turn| turn.map(Lanes::splat));
+    for (number, quad) in quads.enumerate() {
+        let mut along = ds[0].times(load(quad, 2 * D));
+        for j in 1..P {
+            along = along.plus(ds[j].times(load(quad, 2 * D + j)));
+        }
+        for k in 0..D {
+            let mut sum = s.times(load(quad, k)).plus(cross.times(load(quad, D + k)));
+            sum = sum.plus(n[k].times(along));
+            for q in 0..P {
+                sum = sum.plus(turns[q][k].times(load(quad, 2 * D + P + q)));
             }
-            if let Some(row) = blocks[k].get_mut(number) {
-                sum.store(row);
-            }
+            store(blocks[k], number, sum);
         }
     }
 }
@@ -140,7 +175,7 @@ struct FourNodes<const P: usize> {
     cross: Lanes,
     /// z_qi s_B,i
     turning: [Lanes; P],
-    /// b_qB
+    /// s_B,ij p_qij
     bending: [Lanes; P],
     /// right_j[k] s_B,j
     right: [Lanes; 3],
@@ -152,38 +187,51 @@ struct FourNodes<const P: usize> {
 
 impl<const P: usize> FourNodes<P> {
     #[inline(always)]
-    fn new<const D: usize, const H: usize>(
+    fn new<E: Element<D, P, H>, const D: usize, const H: usize>(
         first: usize,
-        rows: &Rows<'_, P>,
+        rows: &Nodal<'_, P, H>,
         shares: &Shares<'_, D, P, H>,
-        (second, slave): (&[&[f64]; H], &[f64]),
     ) -> Self {
         let none = Lanes::splat(0.0);
         let (c, normal) = (shares.tangential, shares.normal);
         let ds: [Lanes; P] = core::array::from_fn(|i| four(rows.ds[i], first));
-        let second: [Lanes; H] = core::array::from_fn(|h| four(second[h], first));
-        Self {
+        let mut nodes = Self {
             s: four(rows.s, first),
             ds,
             cross: weighted(&ds, &c.cross),
             turning: core::array::from_fn(|q| weighted(&ds, &c.z[q].turning)),
-            bending: core::array::from_fn(|q| weighted(&second, &c.p[q].bending)),
-            right: core::array::from_fn(|k| match k < D {
-                true => weighted(&ds, &core::array::from_fn(|j| normal.right[j][k])),
-                false => none,
-            }),
+            bending: [none; P],
+            right: [none; 3],
             rotation: core::array::from_fn(|i| weighted(&ds, &normal.s[i])),
-            slave: match shares.slave_axis {
-                true => four(slave, first),
-                false => none,
-            },
+            slave: none,
+        };
+        for (k, right) in nodes.right.iter_mut().enumerate().take(D) {
+            *right = weighted(&ds, &core::array::from_fn(|j| normal.right[j][k]));
         }
+        for h in 0..H {
+            if E::MOVING && E::CURVED[h] {
+                let second = four(rows.second[h], first);
+                for (bending, p) in nodes.bending.iter_mut().zip(&c.p) {
+                    *bending = bending.plus(second.scaled(p.bending[h]));
+                }
+            }
+        }
+        if E::SLAVE_AXIS {
+            nodes.slave = four(rows.slave, first);
+        }
+        nodes
     }
 }
 
-/// Four entries of Z_q, u_k and v_ik: part `PART` of four nodes, from unknown `start` on.
+/// Four entries of u_k, s_B δ_kl, g_j and Z_q: part `PART` of four nodes, from unknown `start` on.
 #[inline(always)]
-fn columns_of<const PART: usize, const D: usize, const P: usize, const H: usize>(
+fn columns_of<
+    const PART: usize,
+    E: Element<D, P, H>,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
     nodes: &FourNodes<P>,
     shares: &Shares<'_, D, P, H>,
     start: usize,
@@ -193,56 +241,49 @@ fn columns_of<const PART: usize, const D: usize, const P: usize, const H: usize>
     let spread = |lanes: Lanes| lanes.of_nodes::<D>(PART);
     let vector = |v: &[f64; D]| padded(v, 0).of_components::<D>(PART);
     let unit = |k: usize| vector(&core::array::from_fn(|l| f64::from(u8::from(k == l))));
-    let (n, s) = (vector(shares.n), spread(nodes.s));
-    let ds = nodes.ds.map(spread);
-    let measure = match shares.measure.is_empty() {
-        true => None,
-        false => Some(four(shares.measure, start)),
-    };
-    let mut z = [s; P];
-    let mut g = [s; P];
+    let (s, n, cross) = (spread(nodes.s), vector(shares.n), spread(nodes.cross));
+    let (mut z, mut g) = ([s; P], [s; P]);
     for q in 0..P {
         z[q] = s.times(vector(&c.z[q].position)).plus(spread(nodes.turning[q]).times(n));
-        g[q] = s.times(vector(&c.g[q].position)).plus(spread(nodes.bending[q]).times(n));
+        g[q] = s.times(vector(&c.g[q].position));
         for i in 0..P {
-            g[q] = g[q].plus(ds[i].times(vector(&c.g[q].turning[i])));
+            g[q] = g[q].plus(spread(nodes.ds[i]).times(vector(&c.g[q].turning[i])));
         }
-        if shares.slave_axis {
+        if is_bent::<E, D, P, H>() {
+            g[q] = g[q].plus(spread(nodes.bending[q]).times(n));
+        }
+        if E::SLAVE_AXIS {
             g[q] = g[q].plus(spread(nodes.slave).times(vector(&c.g[q].slave)));
         }
-        if let Some(measure) = measure {
-            g[q] = g[q].plus(Lanes::splat(shares.t[q]).times(measure));
+    }
+    let mut traction = None;
+    if E::CURRENT {
+        let measure = four(shares.measure, start);
+        traction = Some(measure.scaled(shares.traction));
+        for q in 0..P {
+            g[q] = g[q].plus(measure.scaled(shares.t[q]));
         }
-        store(quad, q, z[q]);
     }
     for k in 0..D {
         let mut u = s.times(vector(&normal.p[k])).plus(spread(nodes.right[k]).times(n));
         for q in 0..P {
-            u = u.plus(Lanes::splat(c.z[q].position[k]).times(g[q]));
-            u = u.plus(Lanes::splat(c.p[q].position[k]).times(z[q]));
+            u = u.plus(g[q].scaled(c.z[q].position[k]));
+            u = u.plus(z[q].scaled(c.p[q].position[k]));
         }
-        if let Some(measure) = measure {
-            u = u.plus(Lanes::splat(shares.n[k] * shares.traction).times(measure));
+        if let Some(traction) = traction {
+            u = u.plus(traction.scaled(shares.n[k]));
         }
-        u = u.plus(spread(nodes.cross).times(unit(k)));
-        store(quad, P + k, u);
+        store(quad, k, u.plus(cross.times(unit(k))));
+        store(quad, D + k, s.times(unit(k)));
     }
-    if !shares.moving {
-        return;
-    }
-    for i in 0..P {
-        let mut along = s.times(vector(&normal.left[i])).plus(spread(nodes.rotation[i]).times(n));
+    for j in 0..P {
+        let mut along = s.times(vector(&normal.left[j]));
+        along = along.plus(spread(nodes.rotation[j]).times(n));
         for q in 0..P {
-            along = along.plus(Lanes::splat(c.z[q].turning[i]).times(g[q]));
+            along = along.plus(g[q].scaled(c.z[q].turning[j]));
         }
-        let cross = Lanes::splat(c.cross[i]).times(s);
-        for k in 0..D {
-            let mut v = Lanes::splat(shares.n[k]).times(along).plus(cross.times(unit(k)));
-            for q in 0..P {
-                v = v.plus(Lanes::splat(c.p[q].turning[i][k]).times(z[q]));
-            }
-            store(quad, P + D + D * i + k, v);
-        }
+        store(quad, 2 * D + j, along);
+        store(quad, 2 * D + P + j, z[j]);
     }
 }
 
@@ -272,6 +313,11 @@ fn store(quad: &mut [[f64; 4]], index: usize, value: Lanes) {
     if let Some(four) = quad.get_mut(index) {
         value.store(four);
     }
+}
+
+#[inline(always)]
+fn load(quad: &[[f64; 4]], index: usize) -> Lanes {
+    Lanes::new(quad.get(index).copied().unwrap_or_default())
 }
 
 #[inline(always)]

@@ -1,14 +1,16 @@
 //! What are frame, residual and tangent of tangential contact?
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::expressions::{components, geometry_path, is_rational, matrix, nodes, shape_call};
 use super::facts::{Facts, kinematics};
 use crate::emit::imports;
 use crate::emit::program::Emitted;
-use crate::linearise::{frame, tangential, third_derivatives};
-use crate::model::{Axis, Element, Geometry, Master, Rule, Slave};
+use crate::linearise::{
+    Kinematics, frame, second_derivatives, tangential, third_derivatives,
+};
+use crate::model::{Axis, Element, Geometry, Master, Measure, Rule, Slave};
 
 /// The programs of tangential contact.
 pub(super) struct Friction {
@@ -22,7 +24,7 @@ impl Friction {
     /// None for a frictionless element.
     pub(super) fn new(
         element: &Element,
-        kinematics: &crate::linearise::Kinematics,
+        kinematics: &Kinematics,
     ) -> Option<Self> {
         let axis = element.tangential.as_ref()?.axis;
         let tangent = (!element.residual_only)
@@ -43,15 +45,23 @@ impl Friction {
 }
 
 /// The module of the programs of tangential contact. Elements with the same number of parameters and the same
-/// vanishing terms share them: each is compiled once, as a call.
+/// vanishing terms share them: the tangent is compiled once, as a call from values to values.
 pub fn emit_friction(elements: &[Element]) -> TokenStream {
     let mut seen = std::collections::BTreeSet::new();
     let mut items = TokenStream::new();
     for element in elements {
-        let friction = Friction::new(element, &kinematics(element));
+        let kinematics = kinematics(element);
+        let friction = Friction::new(element, &kinematics);
         for emitted in friction.iter().flat_map(Friction::emitted) {
             if seen.insert(emitted.function.to_string()) {
                 items.extend(emitted.shared_items());
+            }
+        }
+        let tangent = friction.and_then(|friction| friction.tangent.map(|t| (t, friction.axis)));
+        if let Some((tangent, axis)) = tangent {
+            let name = tangent_call(element, &tangent);
+            if seen.insert(name.to_string()) {
+                items.extend(tangent_items(element, &kinematics, &tangent, axis));
             }
         }
     }
@@ -79,7 +89,7 @@ impl Facts<'_> {
         let (higher, tangent) = match &friction.tangent {
             Some(tangent) => (
                 self.higher_method(),
-                self.tangential_method(friction, &tangent.function),
+                self.tangential_method(friction, tangent),
             ),
             None => (quote! {}, quote! {}),
         };
@@ -179,27 +189,10 @@ impl Facts<'_> {
         }
     }
 
-    /// n, L, b_i, r_,ij, E
-    fn contact_inputs(&self) -> Vec<TokenStream> {
-        let (d, p, h) = self.sizes();
-        let mut inputs: Vec<TokenStream> = (0..d).map(|k| quote! { gap.n[#k] }).collect();
-        inputs.push(quote! { gap.distance });
-        for i in 0..p {
-            inputs.extend(components("b", Some(i), d));
-        }
-        for i in 0..h {
-            inputs.extend(components("second", Some(i), d));
-        }
-        for i in 0..p {
-            inputs.extend((0..p).map(|q| quote! { frame.e[#i][#q] }));
-        }
-        inputs
-    }
-
     fn force_method(&self, friction: &Friction) -> TokenStream {
         let function = &friction.residual.function;
         let (d, p, h) = self.sizes();
-        let mut inputs = self.contact_inputs();
+        let mut inputs = contact_inputs((d, p, h));
         inputs.extend((0..p).map(|q| quote! { tangential.t[#q] }));
         let force = (0..d).map(|k| quote! { o[#k] });
         let turn = (d..d + p).map(|k| quote! { o[#k] });
@@ -217,28 +210,20 @@ impl Facts<'_> {
         }
     }
 
-    fn tangential_method(&self, friction: &Friction, function: &Ident) -> TokenStream {
+    fn tangential_method(&self, friction: &Friction, tangent: &Emitted) -> TokenStream {
         let (d, p, h) = self.sizes();
-        let tangent = self.slave_tangent(friction);
-        let mut inputs = self.contact_inputs();
-        for k in 0..third_derivatives(p) {
-            // a curve's only third derivative stands first
-            inputs.extend((0..d).map(|c| quote! { third[#k][#c] }));
-        }
-        inputs.extend((0..p).map(|q| quote! { frame.s[#q] }));
-        inputs.extend((0..p).map(|q| quote! { tangential.t[#q] }));
-        for q in 0..p {
-            inputs.extend((0..p).map(|r| quote! { tangential.c[#q][#r] }));
-        }
-        inputs.extend((0..p).map(|q| quote! { tangential.h[#q] }));
-        inputs.push(quote! { slope });
-        if friction.axis == Some(Axis::Slave) {
-            inputs.extend((0..d).map(|k| quote! { slave_tangent[#k] }));
-        }
-        let coefficients = coefficients((d, p, h));
+        let slave_tangent = self.slave_tangent(friction);
+        let along = slave_tangent.is_some().then(|| quote! { , &slave_tangent });
+        let call = tangent_call(self.element, tangent);
+        let (method, result) = if joins(self.element, &self.kinematics) {
+            (quote! { joined_tangent }, quote! { [[f64; #d]; #d] })
+        } else {
+            let result = quote! { runtime::TangentialCoefficients<#d, #p, #h> };
+            (quote! { tangential_tangent }, result)
+        };
         quote! {
             #[inline(always)]
-            fn tangential_tangent(
+            fn #method(
                 (point, x): (usize, &[[f64; #d]]),
                 vectors: &runtime::Vectors<#d, #p, #h>,
                 gap: &runtime::Gap<#d>,
@@ -246,10 +231,9 @@ impl Facts<'_> {
                 third: &[[f64; #d]; 4],
                 (tangential, slope): (&runtime::Tangential, f64),
                 parameters: &[f64],
-            ) -> runtime::TangentialCoefficients<#d, #p, #h> {
-                #tangent
-                let o = friction::#function(&[#(#inputs),*]);
-                #coefficients
+            ) -> #result {
+                #slave_tangent
+                friction::#call(vectors, gap, frame, third, (tangential, slope) #along)
             }
         }
     }
@@ -304,6 +288,85 @@ impl Facts<'_> {
             }
         }
     }
+}
+
+/// Where no unknown turns the tangents, no axis moves with the slave and no measure with the point, the
+/// tangential tangent joins the matrix p of the normal one.
+fn joins(element: &Element, kinematics: &Kinematics) -> bool {
+    let axis = element.tangential.as_ref().and_then(|tangential| tangential.axis);
+    let moving = kinematics.moving.contains(&true);
+    !moving && axis != Some(Axis::Slave) && element.measure != Measure::Current
+}
+
+/// Name of the call that gives the tangent of an element.
+fn tangent_call(element: &Element, tangent: &Emitted) -> Ident {
+    let kind = if joins(element, &kinematics(element)) { "joined" } else { "forms" };
+    format_ident!("{}_{kind}", tangent.function)
+}
+
+/// The tangential tangent as a call from values to values: no arrays of inputs and outputs in between.
+fn tangent_items(
+    element: &Element,
+    kinematics: &Kinematics,
+    tangent: &Emitted,
+    axis: Option<Axis>,
+) -> TokenStream {
+    let (d, p) = (kinematics.dimension, kinematics.projected());
+    let h = second_derivatives(p);
+    let (name, function) = (tangent_call(element, tangent), &tangent.function);
+    let mut inputs = contact_inputs((d, p, h));
+    for k in 0..third_derivatives(p) {
+        // a curve's only third derivative stands first
+        inputs.extend((0..d).map(|c| quote! { third[#k][#c] }));
+    }
+    inputs.extend((0..p).map(|q| quote! { frame.s[#q] }));
+    inputs.extend((0..p).map(|q| quote! { tangential.t[#q] }));
+    for q in 0..p {
+        inputs.extend((0..p).map(|r| quote! { tangential.c[#q][#r] }));
+    }
+    inputs.extend((0..p).map(|q| quote! { tangential.h[#q] }));
+    inputs.push(quote! { slope });
+    let along = (axis == Some(Axis::Slave)).then(|| {
+        inputs.extend((0..d).map(|k| quote! { slave_tangent[#k] }));
+        quote! { , slave_tangent: &[f64; #d] }
+    });
+    let forms = coefficients((d, p, h));
+    let (result, value) = if joins(element, kinematics) {
+        (quote! { [[f64; #d]; #d] }, quote! { #forms.joined() })
+    } else {
+        let result = quote! { runtime::TangentialCoefficients<#d, #p, #h> };
+        (result, forms)
+    };
+    quote! {
+        #[inline(never)]
+        pub(super) fn #name(
+            vectors: &runtime::Vectors<#d, #p, #h>,
+            gap: &runtime::Gap<#d>,
+            frame: &runtime::Frame<#p>,
+            third: &[[f64; #d]; 4],
+            (tangential, slope): (&runtime::Tangential, f64)
+            #along
+        ) -> #result {
+            let o = #function(&[#(#inputs),*]);
+            #value
+        }
+    }
+}
+
+/// n, L, b_i, r_,ij, E
+fn contact_inputs((d, p, h): (usize, usize, usize)) -> Vec<TokenStream> {
+    let mut inputs: Vec<TokenStream> = (0..d).map(|k| quote! { gap.n[#k] }).collect();
+    inputs.push(quote! { gap.distance });
+    for i in 0..p {
+        inputs.extend(components("b", Some(i), d));
+    }
+    for i in 0..h {
+        inputs.extend(components("second", Some(i), d));
+    }
+    for i in 0..p {
+        inputs.extend((0..p).map(|q| quote! { frame.e[#i][#q] }));
+    }
+    inputs
 }
 
 /// The coefficients of the tangential tangent from the output array `o`.

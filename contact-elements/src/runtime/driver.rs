@@ -166,9 +166,10 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
             let place = (&n, weight, pull, first);
             sliding::residual::<E, R, D, P, H>(stage, placement, point, state, place, receiver);
         } else {
+            let force = n.map(|n| pull * n);
             for (a, &s) in stage.rows.s.iter().enumerate() {
                 for k in 0..D {
-                    receiver.force((a, k), pull * s * n[k], first);
+                    receiver.force((a, k), s * force[k], first);
                 }
             }
         }

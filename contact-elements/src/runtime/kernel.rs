@@ -7,7 +7,7 @@ use super::driver::{Call, Failure, Receiver, Stage, Summary, evaluate};
 use super::element::Element;
 use super::friction::TangentialLaw;
 use super::gather::{Nodes, gather, is_usable, shift_of_row};
-use super::tangential::{SLIDING_ROWS, TangentialRows};
+use super::tangential::{MOST_COLUMNS, TangentialRows};
 use super::values::{Rows, Status};
 use crate::arithmetic::abs;
 
@@ -110,7 +110,7 @@ pub fn fixed<
     let (mut h, mut row, mut variation) = ([0.0; W], [0.0; W], [0.0; W]);
     let mut second = [[0.0; N]; H];
     let mut slave = [0.0; N];
-    let mut columns = [[[0.0; W]; P]; SLIDING_ROWS];
+    let mut columns = [[0.0; W]; MOST_COLUMNS];
     let mut stage = Stage {
         x: &x,
         reference: &reference,
@@ -128,7 +128,7 @@ pub fn fixed<
         tangential: TangentialRows {
             second: second.each_mut().map(|row| row.as_mut_slice()),
             slave: &mut slave,
-            columns: columns.as_flattened_mut().as_flattened_mut(),
+            columns: columns.as_flattened_mut(),
         },
     };
     Ok(evaluate::<E, R, D, P, H, Q>(call, &mut stage, receiver)?)
@@ -139,7 +139,7 @@ pub fn fixed<
 pub const fn workspace(n: usize, d: usize, p: usize, friction: bool) -> usize {
     let width = row_width(n * d, friction);
     let tangential = if friction {
-        n * (p * (p + 1) / 2 + 1) + SLIDING_ROWS * p * width
+        n * (p * (p + 1) / 2 + 1) + 2 * (p + d) * width
     } else {
         0
     };
@@ -207,7 +207,7 @@ pub fn interpolated<
     let tangential = TangentialRows {
         second: core::array::from_fn(|_| take(nodes_more)),
         slave: take(nodes_more),
-        columns: take(SLIDING_ROWS * P * unknowns_more),
+        columns: take(2 * (P + D) * unknowns_more),
     };
     let first_master = n.saturating_sub(E::MASTER_NODES);
     let is_vector = |a: usize| {

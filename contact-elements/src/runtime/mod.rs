@@ -48,7 +48,8 @@ pub use projection::{Projected, project};
 pub use receiver::{Call, Failure, Receiver, Report, Summary, Wanted};
 pub use shape::{Distance, Domain, NormalLaw, Rigid, Shape, Traction};
 pub use tangential::{
-    ForceChange, SecondVariation, TangentialCoefficients, TangentialForce, TangentialRows, Variation,
+    ForceChange, SecondVariation, TangentialCoefficients, TangentialForce, TangentialRows,
+    Variation,
 };
 pub use tangential_contraction::{Shares, contract_sliding};
 pub use transfer::TangentPlane;

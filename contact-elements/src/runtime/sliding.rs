@@ -83,13 +83,8 @@ pub(super) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
         (true, Some(status)) if status.get() == 3.0 => Some(Status::Slip),
         _ => None,
     };
-    let status = return_map::<E::Tangential>(
-        s,
-        (-traction, path),
-        own,
-        forced,
-        &mut sliding.tangential,
-    )?;
+    let status =
+        return_map::<E::Tangential>(s, (-traction, path), own, forced, &mut sliding.tangential)?;
     if remembered.is_none() {
         sliding.tangential.c = [[0.0; 2]; 2]; // the anchor moves with the point
     }
@@ -275,7 +270,12 @@ pub(super) fn join<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         (&sliding.tangential, point.law.slope),
         call.parameters,
     );
-    for (to, from) in coefficients.p.iter_mut().flatten().zip(joined.as_flattened()) {
+    for (to, from) in coefficients
+        .p
+        .iter_mut()
+        .flatten()
+        .zip(joined.as_flattened())
+    {
         *to += from;
     }
 }

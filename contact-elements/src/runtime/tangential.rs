@@ -117,7 +117,12 @@ impl<const D: usize, const P: usize, const H: usize> TangentialCoefficients<D, P
     pub fn turn(&mut self, turn: impl Fn(&[f64; D]) -> [f64; D]) {
         for q in 0..P {
             let (z, p, g) = (&mut self.z[q], &mut self.p[q], &mut self.g[q]);
-            for vector in [&mut z.position, &mut p.position, &mut g.position, &mut g.slave] {
+            for vector in [
+                &mut z.position,
+                &mut p.position,
+                &mut g.position,
+                &mut g.slave,
+            ] {
                 *vector = turn(vector);
             }
             for vector in p.turning.iter_mut().chain(&mut g.turning) {
@@ -144,8 +149,8 @@ impl<const D: usize, const P: usize, const H: usize> TangentialCoefficients<D, P
     }
 }
 
-/// Rows of scratch over all unknowns for each projected parameter: twice P + D are at most that many.
-pub const SLIDING_ROWS: usize = 8;
+/// Rows of scratch over all unknowns, 2 (P + D), at most.
+pub(super) const MOST_COLUMNS: usize = 10;
 
 /// Rows of second derivatives and of the slave's tangent, and more scratch of the contraction.
 #[derive(Debug)]
@@ -154,6 +159,6 @@ pub struct TangentialRows<'a, const H: usize> {
     pub second: [&'a mut [f64]; H],
     /// Row of the slave's tangent per node; zero on the master.
     pub slave: &'a mut [f64],
-    /// [`SLIDING_ROWS`] P rows over all unknowns.
+    /// 2 (P + D) rows over all unknowns.
     pub columns: &'a mut [f64],
 }

@@ -62,41 +62,24 @@ pub fn contract_sliding<
     let (Some(s), Some(columns)) = (rows.s.get(..n), columns.get_mut(..size * width)) else {
         return;
     };
+    if blocks.iter().any(|row| row.len() != width) {
+        return;
+    }
     let rows = Nodal {
         s,
-        ds: core::array::from_fn(|i| &*rows.ds[i]),
-        second: core::array::from_fn(|h| &*scratch.second[h]),
-        slave: scratch.slave,
+        ds: core::array::from_fn(|i| as_long(rows.ds[i], s)),
+        second: core::array::from_fn(|h| as_long(scratch.second[h], s)),
+        slave: as_long(scratch.slave, s),
     };
-    let mut quads = columns.as_chunks_mut::<4>().0.chunks_exact_mut(size);
-    for first in (0..n).step_by(4) {
-        let nodes = FourNodes::new::<E, D, H>(first, &rows, shares);
-        let start = D * first;
-        let count = D * n - start;
-        if let Some(quad) = quads.next() {
-            columns_of::<0, E, D, P, H>(&nodes, shares, start, quad);
-        }
-        if let (true, Some(quad)) = (count > 4, quads.next()) {
-            columns_of::<1, E, D, P, H>(&nodes, shares, start + 4, quad);
-        }
-        if let (true, Some(quad)) = (D > 2 && count > 8, quads.next()) {
-            columns_of::<2, E, D, P, H>(&nodes, shares, start + 8, quad);
-        }
-    }
+    fill::<E, D, P, H>(
+        &rows,
+        shares,
+        columns.as_chunks_mut::<4>().0.chunks_exact_mut(size),
+    );
     let mut blocks = blocks.map(|row| row.as_chunks_mut::<4>().0);
-    for (a, &s_a) in rows.s.iter().enumerate() {
+    for a in 0..n {
         let quads = columns.as_chunks::<4>().0.chunks_exact(size);
-        let ds: [f64; P] = core::array::from_fn(|i| entry(rows.ds[i], a));
-        // a slave's node without a projection turns no tangent
-        if !E::MOVING || !E::TWO_CURVES && a + E::MASTER_NODES < n {
-            for (number, quad) in quads.enumerate() {
-                for k in 0..D {
-                    store(blocks[k], number, load(quad, k).scaled(s_a));
-                }
-            }
-        } else {
-            node_rows::<E, D, P, H>((s_a, &ds, a), &rows, shares, quads, &mut blocks);
-        }
+        node_rows::<E, D, P, H>(a, &rows, shares, quads, &mut blocks);
         for (k, row) in blocks.iter().enumerate() {
             if let Some(row) = row.as_flattened().get(..n * D) {
                 receiver.row(a * D + k, row, shares.first);
@@ -113,20 +96,94 @@ struct Nodal<'a, const P: usize, const H: usize> {
     slave: &'a [f64],
 }
 
+/// The row over as many nodes as s, which the compiler then sees.
+#[inline(always)]
+fn as_long<'a>(row: &'a [f64], s: &'a [f64]) -> &'a [f64] {
+    row.get(..s.len()).unwrap_or(s)
+}
+
 /// True where s_A,ij need not vanish.
 fn is_bent<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>() -> bool {
     E::MOVING && E::CURVED.contains(&true)
 }
 
-/// The D rows of a node that turns the tangents.
+/// All columns, four unknowns after the other.
+#[inline(always)]
+fn fill<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    rows: &Nodal<'_, P, H>,
+    shares: &Shares<'_, D, P, H>,
+    mut quads: core::slice::ChunksExactMut<'_, [f64; 4]>,
+) {
+    for first in (0..rows.s.len()).step_by(4) {
+        let nodes = FourNodes::new::<E, D, H>(first, rows, shares);
+        let start = D * first;
+        let count = D * rows.s.len() - start;
+        if let Some(quad) = quads.next() {
+            columns_of::<0, E, D, P, H>(&nodes, shares, start, quad);
+        }
+        if count > 4
+            && let Some(quad) = quads.next()
+        {
+            columns_of::<1, E, D, P, H>(&nodes, shares, start + 4, quad);
+        }
+        if D > 2
+            && count > 8
+            && let Some(quad) = quads.next()
+        {
+            columns_of::<2, E, D, P, H>(&nodes, shares, start + 8, quad);
+        }
+    }
+}
+
+/// The D rows of node a.
 #[inline(always)]
 fn node_rows<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    (s, ds, a): (f64, &[f64; P], usize),
+    a: usize,
     rows: &Nodal<'_, P, H>,
     shares: &Shares<'_, D, P, H>,
     quads: core::slice::ChunksExact<'_, [f64; 4]>,
     blocks: &mut [&mut [[f64; 4]]; D],
 ) {
+    let s = entry(rows.s, a);
+    // a slave's node without a projection turns no tangent
+    if !E::MOVING || !E::TWO_CURVES && a + E::MASTER_NODES < rows.s.len() {
+        for (number, quad) in quads.enumerate() {
+            for k in 0..D {
+                store(blocks[k], number, load(quad, k).scaled(s));
+            }
+        }
+        return;
+    }
+    let ds: [f64; P] = core::array::from_fn(|i| entry(rows.ds[i], a));
+    let (cross, turns) = node_factors::<E, D, P, H>(a, &ds, rows, shares);
+    let (s, cross) = (Lanes::splat(s), Lanes::splat(cross));
+    let ds = ds.map(Lanes::splat);
+    let n = shares.n.map(Lanes::splat);
+    let turns = turns.map(|turn| turn.map(Lanes::splat));
+    for (number, quad) in quads.enumerate() {
+        let mut along = ds[0].times(load(quad, 2 * D));
+        for j in 1..P {
+            along = along.plus(ds[j].times(load(quad, 2 * D + j)));
+        }
+        for k in 0..D {
+            let mut sum = s.times(load(quad, k)).plus(cross.times(load(quad, D + k)));
+            sum = sum.plus(n[k].times(along));
+            for q in 0..P {
+                sum = sum.plus(turns[q][k].times(load(quad, 2 * D + P + q)));
+            }
+            store(blocks[k], number, sum);
+        }
+    }
+}
+
+/// σ_A and π_q of node a.
+#[inline(always)]
+fn node_factors<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    a: usize,
+    ds: &[f64; P],
+    rows: &Nodal<'_, P, H>,
+    shares: &Shares<'_, D, P, H>,
+) -> (f64, [[f64; D]; P]) {
     let c = shares.tangential;
     let mut cross = 0.0;
     let mut turns = [[0.0; D]; P];
@@ -147,24 +204,7 @@ fn node_rows<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize
             }
         }
     }
-    let (s, cross) = (Lanes::splat(s), Lanes::splat(cross));
-    let ds = ds.map(Lanes::splat);
-    let n = shares.n.map(Lanes::splat);
-    let turns = turns.map(|turn| turn.map(Lanes::splat));
-    for (number, quad) in quads.enumerate() {
-        let mut along = ds[0].times(load(quad, 2 * D));
-        for j in 1..P {
-            along = along.plus(ds[j].times(load(quad, 2 * D + j)));
-        }
-        for k in 0..D {
-            let mut sum = s.times(load(quad, k)).plus(cross.times(load(quad, D + k)));
-            sum = sum.plus(n[k].times(along));
-            for q in 0..P {
-                sum = sum.plus(turns[q][k].times(load(quad, 2 * D + P + q)));
-            }
-            store(blocks[k], number, sum);
-        }
-    }
+    (cross, turns)
 }
 
 /// What four nodes bring along: one number each.
@@ -244,7 +284,9 @@ fn columns_of<
     let (s, n, cross) = (spread(nodes.s), vector(shares.n), spread(nodes.cross));
     let (mut z, mut g) = ([s; P], [s; P]);
     for q in 0..P {
-        z[q] = s.times(vector(&c.z[q].position)).plus(spread(nodes.turning[q]).times(n));
+        z[q] = s
+            .times(vector(&c.z[q].position))
+            .plus(spread(nodes.turning[q]).times(n));
         g[q] = s.times(vector(&c.g[q].position));
         for i in 0..P {
             g[q] = g[q].plus(spread(nodes.ds[i]).times(vector(&c.g[q].turning[i])));
@@ -265,7 +307,9 @@ fn columns_of<
         }
     }
     for k in 0..D {
-        let mut u = s.times(vector(&normal.p[k])).plus(spread(nodes.right[k]).times(n));
+        let mut u = s
+            .times(vector(&normal.p[k]))
+            .plus(spread(nodes.right[k]).times(n));
         for q in 0..P {
             u = u.plus(g[q].scaled(c.z[q].position[k]));
             u = u.plus(z[q].scaled(c.p[q].position[k]));

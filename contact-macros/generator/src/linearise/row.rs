@@ -68,7 +68,9 @@ impl Form {
         let own = [&mut self.variation, &mut self.lift, &mut self.bending];
         let others = [&other.variation, &other.lift, &other.bending];
         for (to, from) in own.into_iter().zip(others) {
-            to.iter_mut().zip(from).for_each(|(to, &from)| add(to, from));
+            to.iter_mut()
+                .zip(from)
+                .for_each(|(to, &from)| add(to, from));
         }
         let own = self.along.iter_mut().flatten();
         own.zip(other.along.iter().flatten())

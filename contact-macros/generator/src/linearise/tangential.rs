@@ -73,7 +73,14 @@ pub fn tangent_program(kinematics: &Kinematics, axis: Option<Axis>) -> Program {
     }
     hessian(&mut program, &contact, &sliding, &minus, &mut g);
     let cross = cross(&mut program, &contact, &minus);
-    outputs(&mut program, kinematics, &contact, &z, [&second, &g], &cross);
+    outputs(
+        &mut program,
+        kinematics,
+        &contact,
+        &z,
+        [&second, &g],
+        &cross,
+    );
     program.settle_terms();
     program
 }
@@ -178,12 +185,7 @@ fn slave_turn(program: &mut Program, contact: &Contact, tangent: &Vector) -> For
 }
 
 /// C_qr (Z_r + M_rk s_k) + t_r M_rq [eq:slip-change] [eq:slip-metric] [eq:traction-metric]
-fn elastic(
-    program: &mut Program,
-    contact: &Contact,
-    sliding: &Sliding,
-    axes: &Axes,
-) -> Vec<Form> {
+fn elastic(program: &mut Program, contact: &Contact, sliding: &Sliding, axes: &Axes) -> Vec<Form> {
     let p = contact.p;
     let all: Vec<NodeId> = sliding.c.iter().flatten().copied().collect();
     let direct = program.terms("slip-change", &all, "");

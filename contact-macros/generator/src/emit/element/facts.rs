@@ -132,14 +132,21 @@ impl<'a> Facts<'a> {
 /// Which parameters move what, and where anything is curved.
 pub(super) fn kinematics(element: &Element) -> Kinematics {
     let both = |slave: &Geometry, master: &Geometry| {
-        let first = (geometry::curved(slave)[0], geometry::third_remaining(slave)[0]);
-        let last = (geometry::curved(master)[0], geometry::third_remaining(master)[0]);
-        (vec![first.0, false, last.0], vec![first.1, false, false, last.1])
+        let first = (
+            geometry::curved(slave)[0],
+            geometry::third_remaining(slave)[0],
+        );
+        let last = (
+            geometry::curved(master)[0],
+            geometry::third_remaining(master)[0],
+        );
+        (
+            vec![first.0, false, last.0],
+            vec![first.1, false, false, last.1],
+        )
     };
     let (moving, (curved, third)) = match (&element.slave, &element.master) {
-        (Slave::Projected(slave), Master::Shape(master)) => {
-            (vec![true, true], both(slave, master))
-        }
+        (Slave::Projected(slave), Master::Shape(master)) => (vec![true, true], both(slave, master)),
         (
             Slave::Projected(slave),
             Master::Rigid {

@@ -8,6 +8,7 @@
 //! | `kinematics` | where slave and master are |
 //! | `gap`, `tangent`, `measure` | gap, coefficients of the tangent, area of a point |
 //! | `friction` | frame, residual and tangent of tangential contact |
+//! | `friction_tangent` | that tangent as a call that elements share |
 //! | `descriptor` | what the C interface knows |
 //! | `description` | what the verification knows |
 
@@ -16,6 +17,7 @@ mod descriptor;
 mod expressions;
 mod facts;
 mod friction;
+mod friction_tangent;
 mod gap;
 mod implementation;
 mod kinematics;

@@ -91,7 +91,11 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
             point.law = law::<E, D, P, H>(gap, call.parameters)?;
         }
         if E::Tangential::ACTIVE {
-            *sliding = slide::<E, D, P, H>(call, stage.x, number, &mut point)?;
+            // copies: what a call is handed would be memory on every path
+            let (vectors, gap) = (point.vectors, point.gap);
+            let nodes = if E::SLAVE_AXIS { stage.x } else { &[] };
+            let normal = (&vectors, &gap, point.law.traction);
+            point.status = slide::<E, D, P, H>(call, (number, nodes), point.zeta, normal, sliding)?;
             if E::ROLLING.is_some() {
                 roll::<E, D, P, H>(call, stage.x, number, &point, sliding)?;
             }

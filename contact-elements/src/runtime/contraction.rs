@@ -136,7 +136,7 @@ fn combination<const P: usize>(ds: [Lanes; P], turn: &[f64; P]) -> Lanes {
 
 /// Four entries from `first` on, 0 beyond the last.
 #[inline(always)]
-fn padded(values: &[f64], first: usize) -> Lanes {
+pub(super) fn padded(values: &[f64], first: usize) -> Lanes {
     let at = |l: usize| values.get(first + l).copied().unwrap_or(0.0);
     Lanes::new([at(0), at(1), at(2), at(3)])
 }

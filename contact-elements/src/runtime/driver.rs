@@ -31,7 +31,7 @@ pub struct Stage<'a, const D: usize, const P: usize, const H: usize> {
     /// w N ∂J/∂x, where the measure moves.
     pub variation: &'a mut [f64],
     /// Rows of tangential contact.
-    pub tangential: TangentialRows<'a, P, H>,
+    pub tangential: TangentialRows<'a, H>,
 }
 
 /// Evaluates an element with Q contact points.
@@ -196,17 +196,19 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
     };
     if call.wanted.residual {
         let pull = weight * law.traction;
-        for (a, &s) in stage.rows.s.iter().enumerate() {
-            for k in 0..D {
-                receiver.force((a, k), pull * s * n[k], first);
-            }
-        }
         if E::Tangential::ACTIVE {
-            let place = (&n, weight);
+            let place = (&n, weight, pull, first);
             sliding::residual::<E, R, D, P, H>(stage, placement, point, state, place, receiver);
             if E::ROLLING.is_some() {
                 let state = (state, weight);
                 rolling::residual::<E, R, D, P, H>(call, stage, point, state, receiver);
+            }
+        } else {
+            let force = n.map(|n| pull * n);
+            for (a, &s) in stage.rows.s.iter().enumerate() {
+                for k in 0..D {
+                    receiver.force((a, k), s * force[k], first);
+                }
             }
         }
     }
@@ -270,6 +272,22 @@ fn tangent<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, con
         sliding::join::<E, D, P, H>(call, stage.x, place, &mut coefficients);
     }
     let coefficients = in_global_frame(coefficients, placement, weight);
+    if E::Tangential::ACTIVE && !joins {
+        let place = (number, point, n, weight, first);
+        sliding::tangent::<E, R, D, P, H>(
+            call,
+            stage,
+            placement,
+            state,
+            place,
+            &coefficients,
+            receiver,
+        );
+        if E::ROLLING.is_some() {
+            rolling::tangent::<E, R, D, P, H>(call, stage, point, (state, weight), receiver);
+        }
+        return;
+    }
     let variation: &[f64] = if E::CURRENT {
         scale_variation(stage.variation, point.law.traction, placement);
         stage.variation
@@ -287,13 +305,6 @@ fn tangent<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, con
         &mut stage.temporaries,
         receiver,
     );
-    if E::Tangential::ACTIVE && !joins {
-        let place = (number, point, n, weight);
-        sliding::tangent::<E, R, D, P, H>(call, stage, placement, state, place, receiver);
-        if E::ROLLING.is_some() {
-            rolling::tangent::<E, R, D, P, H>(call, stage, point, (state, weight), receiver);
-        }
-    }
 }
 
 /// `factor` w ∂J/∂x in the global frame.

@@ -315,6 +315,21 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     #[allow(unused_variables)]
     fn third_rows(zeta: &[f64; P], rows: &mut [&mut [f64]; P]) {}
 
+    /// The tangential tangent where all of it multiplies s_A s_B. [eq:tangential-contraction]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn joined_tangent(
+        (point, x): (usize, &[[f64; D]]),
+        vectors: &Vectors<D, P, H>,
+        gap: &Gap<D>,
+        frame: &Frame<P>,
+        third: &[[f64; D]; 4],
+        (tangential, slope): (&Tangential, f64),
+        parameters: &[f64],
+    ) -> [[f64; D]; D] {
+        [[0.0; D]; D]
+    }
+
     /// Weight times Jacobian of a point. `reference`, `x`: reference and current slave nodes. The rows
     /// of the measure's variation go to `variation` (per slave unknown) where it moves.
     fn measure(

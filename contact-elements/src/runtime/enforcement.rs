@@ -7,13 +7,14 @@
 //!
 //! The history's multiplier is no unknown: R_λ and −λ²/(2c) are left out.
 
+use super::classify::Point;
 use super::driver::Stage;
 use super::element::Element;
 use super::friction::{Tangential, TangentialLaw};
 use super::placement::Placement;
 use super::receiver::{Call, Receiver};
 use super::shape::Traction;
-use super::sliding::{Place, Sliding};
+use super::sliding::Sliding;
 use crate::arithmetic::abs;
 
 /// How the normal law holds the bodies apart.
@@ -79,6 +80,10 @@ pub(super) fn open<R: Receiver>(
     -0.5 * weight * multiplier * (multiplier / slope)
 }
 
+/// Number of a contact point, the point, its normal in the global frame, its weight.
+type Enforced<'a, const D: usize, const P: usize, const H: usize> =
+    (usize, &'a Point<D, P, H>, &'a [f64; D], f64);
+
 /// Adds R_λ = g of a closed point, ∂R_λ/∂x = n·δr and ∂R/∂λ = n·δr − h_q Z_q. [eq:multiplier-closed]
 #[inline(never)]
 pub(super) fn closed<
@@ -92,7 +97,7 @@ pub(super) fn closed<
     stage: &Stage<'_, D, P, H>,
     placement: &Option<Placement<D>>,
     sliding: &Sliding<P>,
-    (number, point, n, weight): Place<'_, D, P, H>,
+    (number, point, n, weight): Enforced<'_, D, P, H>,
     receiver: &mut R,
 ) {
     let (node, unknown) = (stage.x.len() + number, stage.x.len() * D + number);
@@ -114,7 +119,7 @@ pub(super) fn closed<
             t: sliding.tangential.h.map(|h| -h),
             ..Tangential::default()
         };
-        super::sliding::tangential_force::<E, D, P, H>(
+        super::sliding::spread_force::<E, D, P, H>(
             (stage, placement),
             (point, &sliding.frame, &back),
             (n, weight),

@@ -79,17 +79,16 @@ const THINNEST: f64 = 1e-13;
 /// Most steps to the ellipse.
 const MOST_STEPS: u32 = 60;
 
-/// Force at the slip s since the anchor. `path`: slip path of the accepted history; `forced`: stick or slip
-/// as the history says.
-// a call, not inlined: one copy serves all elements of the same law
-#[inline(never)]
+/// Force at the slip s since the anchor, to `tangential`. `path`: slip path of the accepted history; `forced`:
+/// stick or slip as the history says.
+#[inline(always)]
 pub fn return_map<L: TangentialLaw>(
     s: [f64; 2],
-    pressure: f64,
-    path: f64,
+    (pressure, path): (f64, f64),
     parameters: &[f64],
     forced: Option<Status>,
-) -> Result<(Status, Tangential), Status> {
+    tangential: &mut Tangential,
+) -> Result<Status, Status> {
     let length = sqrt(s[0] * s[0] + s[1] * s[1]);
     let mut friction = L::evaluate(pressure, path + length, parameters);
     if !is_usable::<L>(&friction) {
@@ -99,31 +98,40 @@ pub fn return_map<L: TangentialLaw>(
     let [first, last] = friction.bound;
     friction.bound = [first.max(THINNEST * last), last.max(THINNEST * first)];
     let e = friction.stiffness;
-    let stick = Tangential {
-        t: [e[0] * s[0], e[1] * s[1]],
+    let trial = [e[0] * s[0], e[1] * s[1]];
+    let held = !L::BOUNDED || length == 0.0 || forced == Some(Status::Stick);
+    if !held && !has_room(&trial, &friction.bound) {
+        *tangential = Tangential::default();
+        return Ok(Status::Slip);
+    }
+    if !held {
+        let ellipse = Ellipse::new(&trial, &friction);
+        let beyond = match L::ORTHOTROPIC {
+            true => ellipse.is_beyond(),
+            false => e[0] * length > friction.bound[0],
+        };
+        if beyond || forced == Some(Status::Slip) {
+            let gamma = match L::ORTHOTROPIC {
+                true => ellipse.nearest(beyond),
+                false => Some(0.0),
+            };
+            if let Some(gamma) = gamma {
+                *tangential = L::slide(s, &friction, gamma);
+                store(tangential, e);
+                return Ok(Status::Slip);
+            }
+            if beyond {
+                return Err(Status::NotConverged);
+            }
+        }
+    }
+    *tangential = Tangential {
+        t: trial,
         c: [[e[0], 0.0], [0.0, e[1]]],
         ..Tangential::default()
     };
-    if !L::BOUNDED || length == 0.0 || forced == Some(Status::Stick) {
-        return Ok((Status::Stick, stored(stick, e)));
-    }
-    if !has_room(&stick.t, &friction.bound) {
-        return Ok((Status::Slip, Tangential::default()));
-    }
-    let (beyond, gamma) = if L::ORTHOTROPIC {
-        ellipse(&stick.t, &friction)
-    } else {
-        (e[0] * length > friction.bound[0], Some(0.0))
-    };
-    let slips = beyond || forced == Some(Status::Slip);
-    match gamma {
-        Some(gamma) if slips => {
-            let slide = L::slide(s, &friction, gamma);
-            Ok((Status::Slip, stored(slide, e)))
-        }
-        None if beyond => Err(Status::NotConverged),
-        _ => Ok((Status::Stick, stored(stick, e))),
-    }
+    store(tangential, e);
+    Ok(Status::Stick)
 }
 
 /// Stiffnesses are positive, all values are numbers.
@@ -153,50 +161,70 @@ fn has_room(trial: &[f64; 2], bound: &[f64; 2]) -> bool {
 
 /// The energy and the elastic slip of a force.
 #[inline(always)]
-fn stored(mut tangential: Tangential, e: [f64; 2]) -> Tangential {
+fn store(tangential: &mut Tangential, e: [f64; 2]) {
     for q in 0..2 {
         tangential.elastic[q] = tangential.t[q] / e[q];
         tangential.energy += 0.5 * tangential.t[q] * tangential.elastic[q];
     }
-    tangential
 }
 
-/// Whether the trial force lies beyond the ellipse, and γ with Σ (y_q/(1 + γ k_q))² = 1, y_q = t_q/B_q,
-/// k_1 k_2 = 1: Newton's method on 1/|z| − 1 from a point on the near side; none where it finds no γ.
-/// [eq:ellipse-newton]
-fn ellipse(trial: &[f64; 2], friction: &Friction) -> (bool, Option<f64>) {
-    let y = [trial[0] / friction.bound[0], trial[1] / friction.bound[1]].map(abs);
-    let ratio = sqrt(friction.stiffness[0] / friction.stiffness[1]);
-    let first = ratio * (friction.bound[1] / friction.bound[0]);
-    let k = [first, 1.0 / first];
-    let beyond = y[0] > 1.0 || y[1] > 1.0 || y[0] * y[0] + y[1] * y[1] > 1.0;
-    let nearest = ((y[0] - 1.0) / k[0]).max((y[1] - 1.0) / k[1]);
-    let least = -1.0 / k[0].max(k[1]);
-    let mut gamma = if beyond {
-        nearest.max(0.0)
-    } else {
-        nearest.max(0.5 * least)
-    };
-    for _ in 0..MOST_STEPS {
-        let (mut square, mut slope) = (0.0, 0.0);
-        for q in 0..2 {
-            let shrink = 1.0 / (1.0 + gamma * k[q]);
-            let z = y[q] * shrink;
-            square += z * z;
-            slope += z * z * k[q] * shrink;
-        }
-        if slope <= 0.0 {
-            return (beyond, None);
-        }
-        let excess = sqrt(square) - 1.0;
-        let next = (gamma + excess * square / slope).max(0.5 * (gamma + least));
-        // |z| is known to a few units of its last place: where z·dz/dγ is small, γ is known less closely
-        let done = abs(excess) <= 4.0 * f64::EPSILON
-            || abs(next - gamma) <= 2.0 * f64::EPSILON * (abs(gamma) + 1.0 / k[0].max(k[1]));
-        gamma = next;
-        if done {
-            return (beyond, Some(gamma));
+/// The trial force as a multiple of the bounds, y_q = t_q/B_q, and the axes of the ellipse, k_1 k_2 = 1.
+/// [eq:ellipse]
+struct Ellipse {
+    y: [f64; 2],
+    k: [f64; 2],
+}
+
+impl Ellipse {
+    #[inline(always)]
+    fn new(trial: &[f64; 2], friction: &Friction) -> Self {
+        let ratio = sqrt(friction.stiffness[0] / friction.stiffness[1]);
+        let first = ratio * (friction.bound[1] / friction.bound[0]);
+        Self {
+            y: [trial[0] / friction.bound[0], trial[1] / friction.bound[1]].map(abs),
+            k: [first, 1.0 / first],
         }
     }
-    (beyond, None)
+
+    #[inline(always)]
+    fn is_beyond(&self) -> bool {
+        let [first, last] = self.y;
+        first > 1.0 || last > 1.0 || first * first + last * last > 1.0
+    }
+
+    /// γ with Σ (y_q/(1 + γ k_q))² = 1: Newton's method on 1/|z| − 1 from a point on the near side; none where it
+    /// finds no γ. [eq:ellipse-newton]
+    #[inline(never)]
+    fn nearest(&self, beyond: bool) -> Option<f64> {
+        let Self { y, k } = self;
+        let nearest = ((y[0] - 1.0) / k[0]).max((y[1] - 1.0) / k[1]);
+        let least = -1.0 / k[0].max(k[1]);
+        let mut gamma = if beyond {
+            nearest.max(0.0)
+        } else {
+            nearest.max(0.5 * least)
+        };
+        for _ in 0..MOST_STEPS {
+            let (mut square, mut slope) = (0.0, 0.0);
+            for q in 0..2 {
+                let shrink = 1.0 / (1.0 + gamma * k[q]);
+                let z = y[q] * shrink;
+                square += z * z;
+                slope += z * z * k[q] * shrink;
+            }
+            if slope <= 0.0 {
+                return None;
+            }
+            let excess = sqrt(square) - 1.0;
+            let next = (gamma + excess * square / slope).max(0.5 * (gamma + least));
+            // |z| is known to a few units of its last place: where z·dz/dγ is small, γ is known less closely
+            let done = abs(excess) <= 4.0 * f64::EPSILON
+                || abs(next - gamma) <= 2.0 * f64::EPSILON * (abs(gamma) + 1.0 / k[0].max(k[1]));
+            gamma = next;
+            if done {
+                return Some(gamma);
+            }
+        }
+        None
+    }
 }

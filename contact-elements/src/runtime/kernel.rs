@@ -7,8 +7,8 @@ use super::driver::{Call, Failure, Receiver, Stage, Summary, evaluate};
 use super::element::Element;
 use super::friction::TangentialLaw;
 use super::gather::{Nodes, gather, is_usable, multipliers, shift_of_row};
-use super::rolling::is_remembered;
-use super::tangential::TangentialRows;
+use super::rolling::{self, is_remembered};
+use super::tangential::{MOST_COLUMNS, TangentialRows};
 use super::values::{Rows, Status};
 use crate::arithmetic::abs;
 
@@ -68,22 +68,45 @@ fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: u
     if !E::Tangential::ACTIVE && !E::AUGMENTED {
         return Ok(());
     }
-    for (index, value) in history.iter().enumerate() {
-        let value = value.get();
-        let possible = match index % E::HISTORY {
-            0 => is_status(value),
-            entry if entry <= P => true,
-            entry if E::AUGMENTED && entry == E::HISTORY - 1 => value <= 0.0,
-            entry if entry <= 2 * P => {
-                let i = entry - 1 - P;
-                can_be_anchor(value, E::centre()[i], E::extent(i))
-            }
-            entry if entry >= 2 + 2 * P => is_remembered(entry - 2 - 2 * P, value),
-            _ => value >= 0.0,
-        };
-        if !possible {
-            return Err(InputError::Impossible(index));
+    for (number, own) in history.chunks_exact(E::HISTORY).enumerate() {
+        if let Err(entry) = check_point::<E, D, P, H>(own) {
+            return Err(InputError::Impossible(number * E::HISTORY + entry));
         }
+    }
+    Ok(())
+}
+
+/// The first entry of a point's history that no evaluation writes.
+#[inline(always)]
+fn check_point<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    own: &[Cell<f64>],
+) -> Result<(), usize> {
+    let at = |entry: usize| own.get(entry).map_or(0.0, Cell::get);
+    if !is_status(at(0)) {
+        return Err(0);
+    }
+    if E::Tangential::ACTIVE {
+        for i in 0..P {
+            if !can_be_anchor(at(1 + P + i), E::centre()[i], E::extent(i)) {
+                return Err(1 + P + i);
+            }
+        }
+        if at(1 + 2 * P) < 0.0 {
+            return Err(1 + 2 * P);
+        }
+        let angles = if E::ROLLING.is_some() {
+            rolling::HISTORY
+        } else {
+            0
+        };
+        for entry in 0..angles {
+            if !is_remembered(entry, at(2 + 2 * P + entry)) {
+                return Err(2 + 2 * P + entry);
+            }
+        }
+    }
+    if E::AUGMENTED && at(E::HISTORY - 1) > 0.0 {
+        return Err(E::HISTORY - 1);
     }
     Ok(())
 }
@@ -122,8 +145,8 @@ pub fn fixed<
     let mut g = [[0.0; W]; P];
     let (mut h, mut row, mut variation) = ([0.0; W], [0.0; W], [0.0; W]);
     let mut second = [[0.0; N]; H];
-    let (mut slave, mut cross, mut whole) = ([0.0; N], [0.0; N], [0.0; W]);
-    let [mut z, mut p, mut q] = [[[0.0; W]; P]; 3];
+    let mut slave = [0.0; N];
+    let mut columns = [[0.0; W]; MOST_COLUMNS];
     let mut stage = Stage {
         x: &x,
         reference: &reference,
@@ -142,11 +165,7 @@ pub fn fixed<
         tangential: TangentialRows {
             second: second.each_mut().map(|row| row.as_mut_slice()),
             slave: &mut slave,
-            cross: &mut cross,
-            z: z.each_mut().map(|row| row.as_mut_slice()),
-            p: p.each_mut().map(|row| row.as_mut_slice()),
-            g: q.each_mut().map(|row| row.as_mut_slice()),
-            row: &mut whole,
+            columns: columns.as_flattened_mut(),
         },
     };
     Ok(evaluate::<E, R, D, P, H, Q>(call, &mut stage, receiver)?)
@@ -155,12 +174,22 @@ pub fn fixed<
 /// Doubles of workspace that `interpolated` needs for `n` nodes.
 #[inline]
 pub const fn workspace(n: usize, d: usize, p: usize, friction: bool) -> usize {
+    let width = row_width(n * d, friction);
     let tangential = if friction {
-        n * (p * (p + 1) / 2 + 2) + n * d * (3 * p + 1)
+        n * (p * (p + 1) / 2 + 1) + 2 * (p + d) * width
     } else {
         0
     };
-    n * d + n * (1 + p) + n * d * (d + p + 2) + tangential
+    n * d + n * (1 + p) + width * (d + p + 2) + tangential
+}
+
+/// Length of a row over all unknowns; with friction in whole quadruples.
+const fn row_width(unknowns: usize, friction: bool) -> usize {
+    if friction {
+        unknowns.next_multiple_of(4)
+    } else {
+        unknowns
+    }
 }
 
 /// Kernel of an element whose slave row is handed in: scratch comes from `memory`.
@@ -211,22 +240,19 @@ pub fn interpolated<
     let (x, _) = take(n * D).as_chunks_mut::<D>();
     let s = take(n);
     let ds = core::array::from_fn(|_| take(n));
-    let u = core::array::from_fn(|_| take(n * D));
-    let g = core::array::from_fn(|_| take(n * D));
-    let (h, row) = (take(n * D), take(n * D));
+    let width = row_width(n * D, E::Tangential::ACTIVE);
+    let u = core::array::from_fn(|_| take(width));
+    let g = core::array::from_fn(|_| take(width));
+    let (h, row) = (take(width), take(width));
     let (nodes_more, unknowns_more) = if E::Tangential::ACTIVE {
-        (n, n * D)
+        (n, width)
     } else {
         (0, 0)
     };
     let tangential = TangentialRows {
         second: core::array::from_fn(|_| take(nodes_more)),
         slave: take(nodes_more),
-        cross: take(nodes_more),
-        z: core::array::from_fn(|_| take(unknowns_more)),
-        p: core::array::from_fn(|_| take(unknowns_more)),
-        g: core::array::from_fn(|_| take(unknowns_more)),
-        row: take(unknowns_more),
+        columns: take(2 * (P + D) * unknowns_more),
     };
     let first_master = n.saturating_sub(E::MASTER_NODES);
     let is_vector = |a: usize| {

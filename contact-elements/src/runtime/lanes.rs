@@ -1,14 +1,17 @@
-//! Four numbers side by side, for the vectors over all unknowns: with AVX2 in one register, elsewhere an array.
+//! Four numbers side by side, for the vectors over all unknowns: with AVX2 in one register, else on x86-64 in two,
+//! elsewhere an array.
 //!
-//! Both ways round every product and every sum alike, so that they give the same bits.
+//! All ways round every product and every sum alike, so that they give the same bits.
 //!
 //! The unknowns of four nodes are D parts of four lanes: lane l of part i belongs to node (4 i + l) / D of the
 //! four and to its component (4 i + l) % D.
 
 #[cfg(all(target_arch = "x86_64", target_feature = "avx2"))]
 pub(super) use self::avx2::Lanes;
-#[cfg(not(all(target_arch = "x86_64", target_feature = "avx2")))]
+#[cfg(not(target_arch = "x86_64"))]
 pub(super) use self::portable::Lanes;
+#[cfg(all(target_arch = "x86_64", not(target_feature = "avx2")))]
+pub(super) use self::sse2::Lanes;
 
 #[cfg(all(target_arch = "x86_64", target_feature = "avx2"))]
 mod avx2 {
@@ -40,6 +43,11 @@ mod avx2 {
         pub(in crate::runtime) fn times(self, other: Self) -> Self {
             // SAFETY: AVX2 is there.
             Self(unsafe { _mm256_mul_pd(self.0, other.0) })
+        }
+
+        #[inline(always)]
+        pub(in crate::runtime) fn scaled(self, factor: f64) -> Self {
+            self.times(Self::splat(factor))
         }
 
         #[inline(always)]
@@ -87,7 +95,99 @@ mod avx2 {
     }
 }
 
-#[cfg(not(all(target_arch = "x86_64", target_feature = "avx2")))]
+#[cfg(all(target_arch = "x86_64", not(target_feature = "avx2")))]
+mod sse2 {
+    use core::arch::x86_64::{
+        __m128d, _mm_add_pd, _mm_mul_pd, _mm_set1_pd, _mm_setr_pd, _mm_shuffle_pd, _mm_storeu_pd,
+    };
+
+    /// Four numbers.
+    #[derive(Clone, Copy)]
+    pub(in crate::runtime) struct Lanes(__m128d, __m128d);
+
+    // every x86-64 has SSE2
+    impl Lanes {
+        #[inline(always)]
+        pub(in crate::runtime) fn new([a, b, c, d]: [f64; 4]) -> Self {
+            // SAFETY: SSE2 is there.
+            unsafe { Self(_mm_setr_pd(a, b), _mm_setr_pd(c, d)) }
+        }
+
+        /// The same number four times.
+        #[inline(always)]
+        pub(in crate::runtime) fn splat(value: f64) -> Self {
+            // SAFETY: SSE2 is there.
+            let both = unsafe { _mm_set1_pd(value) };
+            Self(both, both)
+        }
+
+        #[inline(always)]
+        pub(in crate::runtime) fn times(self, other: Self) -> Self {
+            // SAFETY: SSE2 is there.
+            unsafe { Self(_mm_mul_pd(self.0, other.0), _mm_mul_pd(self.1, other.1)) }
+        }
+
+        #[inline(always)]
+        pub(in crate::runtime) fn scaled(self, factor: f64) -> Self {
+            self.times(Self::splat(factor))
+        }
+
+        #[inline(always)]
+        pub(in crate::runtime) fn plus(self, other: Self) -> Self {
+            // SAFETY: SSE2 is there.
+            unsafe { Self(_mm_add_pd(self.0, other.0), _mm_add_pd(self.1, other.1)) }
+        }
+
+        #[inline(always)]
+        pub(in crate::runtime) fn store(self, to: &mut [f64; 4]) {
+            let [first, second, rest @ ..] = to.as_chunks_mut::<2>().0 else {
+                return;
+            };
+            debug_assert!(rest.is_empty());
+            // SAFETY: SSE2 is there, and each array has two places.
+            unsafe {
+                _mm_storeu_pd(first.as_mut_ptr(), self.0);
+                _mm_storeu_pd(second.as_mut_ptr(), self.1);
+            }
+        }
+
+        /// One number per node to the lanes of a part.
+        #[inline(always)]
+        pub(in crate::runtime) fn of_nodes<const D: usize>(self, part: usize) -> Self {
+            let Self(low, high) = self;
+            match (D, part) {
+                (3, 0) => Self(pair::<0b00>(low, low), pair::<0b10>(low, low)),
+                (3, 1) => Self(pair::<0b11>(low, low), pair::<0b00>(high, high)),
+                (3, 2) => Self(pair::<0b10>(high, high), pair::<0b11>(high, high)),
+                (2, 0) => Self(pair::<0b00>(low, low), pair::<0b11>(low, low)),
+                (2, 1) => Self(pair::<0b00>(high, high), pair::<0b11>(high, high)),
+                _ => self,
+            }
+        }
+
+        /// The components of one D-vector to the lanes of a part.
+        #[inline(always)]
+        pub(in crate::runtime) fn of_components<const D: usize>(self, part: usize) -> Self {
+            let Self(low, high) = self;
+            match (D, part) {
+                (3, 0) => Self(low, pair::<0b00>(high, low)),
+                (3, 1) => Self(pair::<0b01>(low, high), low),
+                (3, 2) => Self(pair::<0b00>(high, low), pair::<0b01>(low, high)),
+                (2, _) => Self(low, low),
+                _ => Self(pair::<0b00>(low, low), pair::<0b00>(low, low)),
+            }
+        }
+    }
+
+    /// One number of `a`, one of `b`: the second of it where its bit is set.
+    #[inline(always)]
+    fn pair<const WHICH: i32>(a: __m128d, b: __m128d) -> __m128d {
+        // SAFETY: SSE2 is there.
+        unsafe { _mm_shuffle_pd::<WHICH>(a, b) }
+    }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
 mod portable {
     /// Four numbers.
     #[derive(Clone, Copy)]
@@ -108,6 +208,11 @@ mod portable {
         #[inline(always)]
         pub(in crate::runtime) fn times(self, other: Self) -> Self {
             Self(core::array::from_fn(|l| self.0[l] * other.0[l]))
+        }
+
+        #[inline(always)]
+        pub(in crate::runtime) fn scaled(self, factor: f64) -> Self {
+            self.times(Self::splat(factor))
         }
 
         #[inline(always)]

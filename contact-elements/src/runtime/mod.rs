@@ -29,6 +29,7 @@ mod rolling;
 mod shape;
 mod sliding;
 mod tangential;
+mod tangential_contraction;
 mod transfer;
 mod values;
 
@@ -54,7 +55,9 @@ pub(crate) use rolling::is_remembered;
 pub use rolling::{Rolling, RollingAngles, RollingLayout};
 pub use shape::{Distance, Domain, NormalLaw, Rigid, Shape, Traction};
 pub use tangential::{
-    Form, TangentialCoefficients, TangentialForce, TangentialRows, contract_tangential,
+    ForceChange, SecondVariation, TangentialCoefficients, TangentialForce, TangentialRows,
+    Variation,
 };
+pub use tangential_contraction::{Shares, contract_sliding};
 pub use transfer::TangentPlane;
 pub use values::{Coefficients, Frame, Gap, Measure, Rows, ShapeRows, Status, Vectors, dot};

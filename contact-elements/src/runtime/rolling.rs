@@ -310,7 +310,7 @@ pub(super) fn tangent<
         third: &own,
     };
     let unknowns = nodes * D;
-    let Some(row) = scratch.row.get_mut(..unknowns) else {
+    let Some(row) = stage.temporaries.row.get_mut(..unknowns) else {
         return;
     };
     for unknown in 0..unknowns {

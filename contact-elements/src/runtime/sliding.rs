@@ -11,8 +11,9 @@ use super::friction::{Tangential, return_map};
 use super::placement::Placement;
 use super::receiver::{Call, Receiver};
 use super::rolling::Rolling;
-use super::tangential::contract_tangential;
-use super::values::{Coefficients, Frame, Status};
+use super::tangential::TangentialRows;
+use super::tangential_contraction::{Shares, contract_sliding};
+use super::values::{Coefficients, Frame, Gap, Rows, Status, Vectors};
 use crate::arithmetic::abs;
 
 /// Least share of an axis in the tangent plane.
@@ -59,18 +60,18 @@ fn accepted<const P: usize>(history: Option<&[Cell<f64>]>) -> Option<([f64; P], 
 #[inline(never)]
 pub(super) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
-    x: &[[f64; D]],
-    number: usize,
-    point: &mut Point<D, P, H>,
-) -> Result<Sliding<P>, Status> {
+    (number, x): (usize, &[[f64; D]]),
+    zeta: [f64; P],
+    (vectors, gap, traction): (&Vectors<D, P, H>, &Gap<D>, f64),
+    sliding: &mut Sliding<P>,
+) -> Result<Status, Status> {
     let history = call
         .history
         .and_then(|history| history.get(number * E::HISTORY..));
     // contact that begins is anchored where it is
     let remembered = accepted(history);
-    let (anchor, path) = remembered.unwrap_or((point.zeta, 0.0));
-    let moved = core::array::from_fn(|i| point.zeta[i] - anchor[i]);
-    let Point { vectors, gap, .. } = &*point;
+    let (anchor, path) = remembered.unwrap_or((zeta, 0.0));
+    let moved = core::array::from_fn(|i| zeta[i] - anchor[i]);
     let frame = E::frame(number, x, vectors, gap, &moved, call.parameters);
     // an axis of length zero, or a slave curve that stands on the surface
     if !(is_finite(&frame) && frame.share > LEAST_SHARE) {
@@ -86,23 +87,18 @@ pub(super) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
         (true, Some(status)) if status.get() == 3.0 => Some(Status::Slip),
         _ => None,
     };
-    let (status, mut tangential) =
-        return_map::<E::Tangential>(s, -point.law.traction, path, own, forced)?;
+    let status =
+        return_map::<E::Tangential>(s, (-traction, path), own, forced, &mut sliding.tangential)?;
     if remembered.is_none() {
-        tangential.c = [[0.0; 2]; 2]; // the anchor moves with the point
+        sliding.tangential.c = [[0.0; 2]; 2]; // the anchor moves with the point
     }
-    point.status = status;
-    let mut sliding = Sliding {
-        frame,
-        tangential,
-        anchor,
-        path,
-        rolling: Rolling::default(),
-    };
+    sliding.frame = frame;
+    sliding.anchor = anchor;
+    sliding.path = path;
     if status == Status::Slip {
-        sliding.move_anchor(&point.zeta, s);
+        sliding.move_anchor(&zeta, s);
     }
-    Ok(sliding)
+    Ok(status)
 }
 
 impl<const P: usize> Sliding<P> {
@@ -134,8 +130,9 @@ fn is_finite<const P: usize>(frame: &Frame<P>) -> bool {
     finite
 }
 
-/// Adds the tangential residual. [eq:tangential-residual]
-#[inline(never)]
+/// Gives the residual of a sticking or sliding point to the receiver, the normal one (`pull`: w N) included.
+/// [eq:tangential-residual]
+#[inline(always)]
 pub(super) fn residual<
     E: Element<D, P, H>,
     R: Receiver,
@@ -147,53 +144,72 @@ pub(super) fn residual<
     placement: &Option<Placement<D>>,
     point: &Point<D, P, H>,
     sliding: &Sliding<P>,
-    (n, weight): (&[f64; D], f64),
+    (n, weight, pull, first): (&[f64; D], f64, f64, bool),
     receiver: &mut R,
 ) {
-    tangential_force::<E, D, P, H>(
-        (stage, placement),
-        (point, &sliding.frame, &sliding.tangential),
-        (n, weight),
-        |place, value| receiver.force(place, value, false),
-    );
+    let (frame, tangential) = (&sliding.frame, &sliding.tangential);
+    let mut own = E::tangential_force(&point.vectors, &point.gap, frame, tangential);
+    if let Some(placement) = placement {
+        own.force = placement.vector_to_global(&own.force);
+    }
+    let mut force = [0.0; D];
+    for k in 0..D {
+        force[k] = pull * n[k] + weight * own.force[k];
+    }
+    let turn = own.turn.map(|turn| weight * turn);
+    spread::<E, D, P, H>(stage, (n, &force, &turn), |place, value| {
+        receiver.force(place, value, first);
+    });
 }
 
-/// The entries of t_q Z_q. [eq:tangential-residual]
+/// w t_q Z_q of other tangential forces in the same frame. [eq:tangential-residual]
 #[inline(always)]
-pub(super) fn tangential_force<
-    E: Element<D, P, H>,
-    const D: usize,
-    const P: usize,
-    const H: usize,
->(
+pub(super) fn spread_force<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     (stage, placement): (&Stage<'_, D, P, H>, &Option<Placement<D>>),
     (point, frame, tangential): (&Point<D, P, H>, &Frame<P>, &Tangential),
     (n, weight): (&[f64; D], f64),
+    add: impl FnMut((usize, usize), f64),
+) {
+    let mut own = E::tangential_force(&point.vectors, &point.gap, frame, tangential);
+    if let Some(placement) = placement {
+        own.force = placement.vector_to_global(&own.force);
+    }
+    let force = own.force.map(|force| weight * force);
+    let turn = own.turn.map(|turn| weight * turn);
+    spread::<E, D, P, H>(stage, (n, &force, &turn), add);
+}
+
+/// s_A f_k + s_A,i g_i n_k for every node and component.
+#[inline(always)]
+fn spread<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    stage: &Stage<'_, D, P, H>,
+    (n, force, turn): (&[f64; D], &[f64; D], &[f64; P]),
     mut add: impl FnMut((usize, usize), f64),
 ) {
-    let mut force = E::tangential_force(&point.vectors, &point.gap, frame, tangential);
-    if let Some(placement) = placement {
-        force.force = placement.vector_to_global(&force.force);
-    }
     for (a, &s) in stage.rows.s.iter().enumerate() {
-        let mut turn = 0.0;
+        let mut along = 0.0;
         if E::MOVING {
             for i in 0..P {
-                turn += force.turn[i] * stage.rows.ds[i].get(a).copied().unwrap_or(0.0);
+                along += turn[i] * stage.rows.ds[i].get(a).copied().unwrap_or(0.0);
             }
         }
         for k in 0..D {
-            add((a, k), weight * (s * force.force[k] + turn * n[k]));
+            let mut value = s * force[k];
+            if E::MOVING {
+                value += along * n[k];
+            }
+            add((a, k), value);
         }
     }
 }
 
-/// Number of a contact point, the point, its normal in the global frame, its weight.
+/// Number of a contact point, the point, its normal in the global frame, its weight, whether it is the first.
 pub(super) type Place<'a, const D: usize, const P: usize, const H: usize> =
-    (usize, &'a Point<D, P, H>, &'a [f64; D], f64);
+    (usize, &'a Point<D, P, H>, &'a [f64; D], f64, bool);
 
-/// Adds the tangential tangent. [eq:tangential-contraction]
-#[inline(never)]
+/// Gives the tangent of a sticking or sliding point to the receiver, the normal one included.
+/// [eq:tangential-contraction]
+#[inline(always)]
 pub(super) fn tangent<
     E: Element<D, P, H>,
     R: Receiver,
@@ -205,7 +221,8 @@ pub(super) fn tangent<
     stage: &mut Stage<'_, D, P, H>,
     placement: &Option<Placement<D>>,
     sliding: &Sliding<P>,
-    (number, point, n, weight): Place<'_, D, P, H>,
+    (number, point, n, weight, first): Place<'_, D, P, H>,
+    normal: &Coefficients<D, P>,
     receiver: &mut R,
 ) {
     let scratch = &mut stage.tangential;
@@ -213,44 +230,46 @@ pub(super) fn tangent<
     if E::SLAVE_AXIS {
         E::slave_direction(number, call.parameters, scratch.slave);
     }
+    let (vectors, gap) = (point.vectors, point.gap);
     let mut coefficients = E::tangential_tangent(
         (number, stage.x),
-        &point.vectors,
-        &point.gap,
+        &vectors,
+        &gap,
         &sliding.frame,
         &third,
         (&sliding.tangential, point.law.slope),
         call.parameters,
     );
     if let Some(placement) = placement {
-        let forms = coefficients.z.iter_mut().chain(&mut coefficients.p);
-        for form in forms.chain(&mut coefficients.g) {
-            *form = form.turned(|vector| placement.vector_to_global(vector));
-        }
+        coefficients.turn(|vector| placement.vector_to_global(vector));
     }
-    let mut variation: &[f64] = &[];
+    if weight != 1.0 {
+        coefficients.weigh(weight);
+    }
     if E::CURRENT {
-        let Stage {
-            reference,
-            x,
-            variation: rows,
-            ..
-        } = stage;
-        E::measure(number, reference, x, call.parameters, rows);
-        scale_variation(rows, 1.0, placement);
-        variation = rows;
+        scale_variation(stage.variation, 1.0, placement);
     }
-    let t = core::array::from_fn(|q| sliding.tangential.t.get(q).copied().unwrap_or(0.0));
-    contract_tangential(
-        &stage.rows,
+    let shares = Shares {
         n,
-        &coefficients,
-        weight,
-        (&t, variation),
-        E::MOVING,
-        scratch,
-        receiver,
-    );
+        normal,
+        tangential: &coefficients,
+        measure: if E::CURRENT { stage.variation } else { &[] },
+        traction: point.law.traction,
+        t: core::array::from_fn(|q| sliding.tangential.t.get(q).copied().unwrap_or(0.0)),
+        first,
+    };
+    // made here: a call that got the stage itself would have all that it refers to go through memory
+    let rows = Rows {
+        s: &mut *stage.rows.s,
+        ds: stage.rows.ds.each_mut().map(|row| &mut **row),
+    };
+    let blocks = stage.temporaries.u.each_mut().map(|row| &mut **row);
+    let mut scratch = TangentialRows {
+        second: scratch.second.each_mut().map(|row| &mut **row),
+        slave: &mut *scratch.slave,
+        columns: &mut *scratch.columns,
+    };
+    contract_sliding::<E, R, D, P, H>(&rows, &shares, blocks, &mut scratch, receiver);
 }
 
 /// Where no unknown turns the tangents, no axis moves with the slave and no measure with the point, the
@@ -261,7 +280,7 @@ pub(super) fn joins<E: Element<D, P, H>, const D: usize, const P: usize, const H
 }
 
 /// Adds the tangential tangent to the coefficients of the normal one, see [`joins`].
-#[inline(never)]
+#[inline(always)]
 pub(super) fn join<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
     x: &[[f64; D]],
@@ -274,14 +293,22 @@ pub(super) fn join<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         call.parameters,
         &mut core::array::from_fn(|_| <&mut [f64]>::default()),
     );
-    E::tangential_tangent(
+    let (vectors, gap) = (point.vectors, point.gap);
+    let joined = E::joined_tangent(
         (number, x),
-        &point.vectors,
-        &point.gap,
+        &vectors,
+        &gap,
         &sliding.frame,
         &third,
         (&sliding.tangential, point.law.slope),
         call.parameters,
-    )
-    .add_to(&mut coefficients.p);
+    );
+    for (to, from) in coefficients
+        .p
+        .iter_mut()
+        .flatten()
+        .zip(joined.as_flattened())
+    {
+        *to += from;
+    }
 }

@@ -39,7 +39,7 @@ impl Emitted {
         let function = self.function_with(
             &self.all_outputs(),
             guarded,
-            &quote! { #[inline(never)] pub(super) },
+            &quote! { #[inline(always)] pub(super) },
         );
         let (table, constant) = (self.table(), self.constant());
         quote! {

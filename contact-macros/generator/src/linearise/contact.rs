@@ -85,6 +85,38 @@ impl Contact {
             })
             .collect()
     }
+
+    /// v^i = E^i_q v_q
+    pub(super) fn on_declared(&self, graph: &mut Graph, v: &[NodeId], i: usize) -> NodeId {
+        let mut sum = graph.constant(0.0);
+        for (q, &v) in v.iter().enumerate() {
+            let part = graph.multiply(self.frame[i][q], v);
+            sum = graph.add(sum, part);
+        }
+        sum
+    }
+
+    /// τ^i n·r_,iqr for the pair q, r: the declared third derivatives, once with a vector, twice in the frame.
+    pub(super) fn framed_third(
+        &self,
+        graph: &mut Graph,
+        third: &[NodeId],
+        v: &[NodeId],
+        pair: (usize, usize),
+    ) -> NodeId {
+        let factors = framing(graph, &self.frame, pair);
+        let mut sum = graph.constant(0.0);
+        for ((j, k), factor) in pairs(self.p).zip(factors) {
+            let mut along = graph.constant(0.0);
+            for (i, &v) in v.iter().enumerate() {
+                let part = graph.multiply(v, third[i + j + k]);
+                along = graph.add(along, part);
+            }
+            let part = graph.multiply(factor, along);
+            sum = graph.add(sum, part);
+        }
+        sum
+    }
 }
 
 /// Σ_i factor_i vector_i
@@ -103,6 +135,20 @@ pub(super) fn combination(
     sum
 }
 
+/// What multiplies the entries 11, 12, 22 of a symmetric tensor in E^i_q E^j_r T_ij.
+fn framing(graph: &mut Graph, frame: &[Vec<NodeId>], (q, r): (usize, usize)) -> Vec<NodeId> {
+    pairs(frame.len())
+        .map(|(i, j)| {
+            let factor = graph.multiply(frame[i][q], frame[j][r]);
+            if i == j {
+                return factor;
+            }
+            let other = graph.multiply(frame[j][q], frame[i][r]);
+            graph.add(factor, other)
+        })
+        .collect()
+}
+
 /// r_,qr = E^i_q E^j_r r_,ij
 fn framed_second(
     graph: &mut Graph,
@@ -110,18 +156,12 @@ fn framed_second(
     declared: &[Vector],
     d: usize,
 ) -> Vec<Vector> {
-    let p = frame.len();
     let mut result = Vec::new();
-    for (q, r) in pairs(p) {
-        let mut sum = Vector::zero(graph, d);
-        for i in 0..p {
-            for j in 0..p {
-                let factor = graph.multiply(frame[i][q], frame[j][r]);
-                let part = declared[pair_index(i, j)].scale(graph, factor);
-                sum = sum.add(graph, &part);
-            }
-        }
-        result.push(sum);
+    for pair in pairs(frame.len()) {
+        let factors = framing(graph, frame, pair);
+        let count = factors.len();
+        let part = |h: usize| (factors[h], declared[h].clone());
+        result.push(combination(graph, d, &part, count));
     }
     result
 }
@@ -164,7 +204,7 @@ fn inverse(graph: &mut Graph, n: &Vector, distance: NodeId, second: &[Vector]) -
 
 /// Further inputs of the tangent.
 pub(super) struct Sliding {
-    /// n·r_,qrs in the frame, by the sum of the indices.
+    /// n·r_,ijk of the declared parameters, by the sum of the indices.
     pub(super) third: Vec<NodeId>,
     pub(super) slip: Vec<NodeId>,
     pub(super) t: Vec<NodeId>,
@@ -182,6 +222,7 @@ pub(super) struct Sliding {
 impl Sliding {
     pub(super) fn new(
         program: &mut Program,
+        kinematics: &Kinematics,
         contact: &Contact,
         axis: Option<Axis>,
         rolls: bool,
@@ -204,7 +245,15 @@ impl Sliding {
         };
         let slave_tangent =
             (axis == Some(Axis::Slave)).then(|| program.input_vector("slave_tangent", d));
-        let third = framed_third(&mut program.graph, contact, &third);
+        let graph = &mut program.graph;
+        let third = third
+            .iter()
+            .zip(&kinematics.third)
+            .map(|(third, &remains)| match remains {
+                true => contact.n.dot(graph, third),
+                false => graph.constant(0.0),
+            })
+            .collect();
         Self {
             third,
             slip,
@@ -216,28 +265,4 @@ impl Sliding {
             slave_tangent,
         }
     }
-}
-
-/// n·r_,qrs = E^i_q E^j_r E^k_s n·r_,ijk
-fn framed_third(graph: &mut Graph, contact: &Contact, third: &[Vector]) -> Vec<NodeId> {
-    let (p, frame) = (contact.p, &contact.frame);
-    let along: Vec<NodeId> = third.iter().map(|r| contact.n.dot(graph, r)).collect();
-    (0..third.len())
-        .map(|ones| {
-            // the first `ones` indices are 2, the others 1
-            let at = |index: usize| usize::from(index < ones);
-            let mut sum = graph.constant(0.0);
-            for i in 0..p {
-                for j in 0..p {
-                    for k in 0..p {
-                        let factor = graph.multiply(frame[i][at(0)], frame[j][at(1)]);
-                        let factor = graph.multiply(factor, frame[k][at(2)]);
-                        let part = graph.multiply(factor, along[i + j + k]);
-                        sum = graph.add(sum, part);
-                    }
-                }
-            }
-            sum
-        })
-        .collect()
 }

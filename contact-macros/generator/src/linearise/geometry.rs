@@ -1,6 +1,6 @@
 //! Declared geometries and their derivatives to third order.
 
-use super::second_derivatives;
+use super::{second_derivatives, third_derivatives};
 use crate::ir::{NodeId, Program, Scope, differentiate, interpret, lower};
 use crate::model::{Body, Geometry, Parameter};
 
@@ -80,15 +80,27 @@ pub fn curved(geometry: &Geometry) -> Vec<bool> {
         Body::Distance { .. } => return vec![],
     };
     let p = geometry.coordinates.len();
-    let rows = 1 + p + second_derivatives(p);
+    let rows = remaining(&program, 1 + p + second_derivatives(p));
+    rows[1 + p..].to_vec()
+}
+
+/// Which third derivatives (111, 112, 122, 222) can be non-zero.
+pub fn third_remaining(geometry: &Geometry) -> Vec<bool> {
+    let program = match &geometry.body {
+        Body::Shape { .. } => shape_third_program(geometry),
+        Body::Rigid { .. } => rigid_third_program(geometry),
+        Body::Distance { .. } => return vec![],
+    };
+    remaining(&program, third_derivatives(geometry.coordinates.len()))
+}
+
+/// Which of the rows that the outputs consist of do not vanish identically.
+fn remaining(program: &Program, rows: usize) -> Vec<bool> {
     let width = program.outputs.len() / rows;
-    (0..second_derivatives(p))
-        .map(|h| {
-            let start = (1 + p + h) * width;
-            program.outputs[start..start + width]
-                .iter()
-                .any(|&(_, id)| !program.graph.is(id, 0.0))
-        })
+    program
+        .outputs
+        .chunks_exact(width)
+        .map(|row| row.iter().any(|&(_, id)| !program.graph.is(id, 0.0)))
         .collect()
 }
 

@@ -57,6 +57,8 @@ pub struct Kinematics {
     pub moving: Vec<bool>,
     /// Which second derivatives r_,11 r_,12 r_,22 can be non-zero.
     pub curved: Vec<bool>,
+    /// Which third derivatives r_,111 r_,112 r_,122 r_,222 can be non-zero.
+    pub third: Vec<bool>,
     /// Gap with a sign (codimension one) or distance without.
     pub signed: bool,
     /// Which form of the tangent.

@@ -2,7 +2,7 @@
 //!
 //! A form multiplies s_A and, for either curve i, s_A,i, s_A,ii and s_A,iii by a vector each.
 
-use super::row::Form;
+use super::row;
 use crate::ir::{Graph, NodeId, Program, Vector};
 
 /// Coefficients of a linear form of δx.
@@ -33,17 +33,17 @@ impl Motion {
     /// δζ^i = E^i_q Z_q from the forms Z_q of the frame.
     pub(super) fn of_parameter(
         graph: &mut Graph,
-        frame: &[Vec<NodeId>],
-        projection: &[Form],
+        (frame, n): (&[Vec<NodeId>], &Vector),
+        projection: &[row::Variation],
         i: usize,
     ) -> Self {
         let mut result = Self::zero(graph);
         for (q, form) in projection.iter().enumerate() {
-            let declared = form.declared(graph, frame, &[true, true]);
-            let position = declared.position.scale(graph, frame[i][q]);
+            let position = form.position.scale(graph, frame[i][q]);
             result.position = result.position.add(graph, &position);
-            for (to, from) in result.turning.iter_mut().zip(&declared.turning) {
-                let turning = from.scale(graph, frame[i][q]);
+            for (to, &lever) in result.turning.iter_mut().zip(&form.turning) {
+                let lever = graph.multiply(lever, frame[i][q]);
+                let turning = n.scale(graph, lever);
                 *to = to.add(graph, &turning);
             }
         }

@@ -10,10 +10,11 @@
 //! K   = Z_q ⊗ G_q − P_q ⊗ Z_q − τ_i (δr·Δr_,i + δr_,i·Δr)
 //! ```
 //!
-//! M_qr e_r is the change of the axis e_q relative to the convected frame; its symmetric part is Δa/2.
+//! M_qr e_r is the change of the axis e_q relative to the convected frame; its symmetric part is Δa/2. The forms
+//! are collected as factors of Z, of e_q·δr_,r and of n·δr; vectors come last.
 
 use super::contact::{Contact, Sliding, combination, pairs};
-use super::row::Form;
+use super::row::{Form, Variation, symmetric_row};
 use super::{Kinematics, pair_index};
 use crate::ir::{Graph, NodeId, Program, Vector};
 use crate::model::Axis;
@@ -24,66 +25,61 @@ pub fn residual_program(kinematics: &Kinematics) -> Program {
     let mut program = Program::new("tangential_residual");
     let contact = Contact::new(&mut program, kinematics);
     let t = program.input_vector("t", contact.p).0;
-    let direct = program.terms("tangential-direct", &t, "");
+    let minus: Vec<NodeId> = contact.raised(&mut program.graph, &t);
+    let minus: Vec<NodeId> = minus.iter().map(|&t| program.graph.negate(t)).collect();
+    let direct = program.terms("tangential-direct", &minus, "");
     let rotation = program.terms(
         "tangential-rotation",
-        &t,
+        &minus,
         "the tangents do not rotate with any unknown, or linearised on the tangent plane L = 0",
     );
     let graph = &mut program.graph;
-    let minus = contact.raised(graph, &direct);
-    let minus: Vec<NodeId> = minus.iter().map(|&t| graph.negate(t)).collect();
-    let mut form = Form::zero(graph, contact.d, contact.p);
-    form.position = combination(
-        graph,
-        contact.d,
-        &|q| (minus[q], contact.e[q].clone()),
-        contact.p,
-    );
-    let turning = contact.raised(graph, &rotation);
-    let mut along = Vec::new();
-    for i in 0..contact.p {
-        let mut sum = graph.constant(0.0);
-        for (q, &tau) in turning.iter().enumerate() {
-            let part = graph.multiply(contact.frame[i][q], tau);
-            sum = graph.add(sum, part);
-        }
-        let back = graph.multiply(contact.distance, sum);
-        let back = graph.negate(back);
-        let zero = graph.constant(0.0);
-        along.push(if kinematics.moving[i] { back } else { zero });
-    }
-    program.output_vector("force", &form.position);
-    for (i, value) in along.into_iter().enumerate() {
+    let along = |q: usize| (direct[q], contact.e[q].clone());
+    let force = combination(graph, contact.d, &along, contact.p);
+    let zero = graph.constant(0.0);
+    let turns: Vec<NodeId> = (0..contact.p)
+        .map(|i| {
+            if !kinematics.moving[i] {
+                return zero;
+            }
+            let sum = contact.on_declared(graph, &rotation, i);
+            graph.multiply(contact.distance, sum)
+        })
+        .collect();
+    program.output_vector("force", &force);
+    for (i, value) in turns.into_iter().enumerate() {
         program.output(format!("turn_{i}"), value);
     }
     program.settle_terms();
     program
 }
 
-/// n, L, b_i, r_,ij, E, r_,ijk, s, t, C, h, N' → forms Z, P, G and τ; `rolls`: what multiplies δζ̂ comes too,
-/// t with the share of the moments [eq:rolling-share].
+/// n, L, b_i, r_,ij, E, r_,ijk, s, t, C, h, N' → forms Z, −P, G and the factors of the cross term; `rolls`: what
+/// multiplies δζ̂ comes too, t with the share of the moments [eq:rolling-share].
 pub fn tangent_program(kinematics: &Kinematics, axis: Option<Axis>, rolls: bool) -> Program {
     let mut program = Program::new("tangential_tangent");
     let contact = Contact::new(&mut program, kinematics);
-    let sliding = Sliding::new(&mut program, &contact, axis, rolls);
-    let z = projection(&mut program.graph, &contact);
-    let strain = metric(&mut program.graph, &contact, &z);
-    let axes = axes(&mut program, &contact, &sliding, &z, &strain, axis);
-    let second = second_variation(&mut program, &contact, &sliding);
-    let mut g = elastic(&mut program, &contact, &sliding, &z, &axes);
+    let sliding = Sliding::new(&mut program, kinematics, &contact, axis, rolls);
+    let tau = contact.raised(&mut program.graph, &sliding.force);
+    let minus: Vec<NodeId> = tau.iter().map(|&t| program.graph.negate(t)).collect();
+    let z = projection(&mut program.graph, &contact, kinematics);
+    let strain = metric(&mut program.graph, &contact);
+    let axes = axes(&mut program, &contact, &sliding, strain, axis);
+    let second = second_variation(&mut program, kinematics, &contact, &minus);
+    let mut g = elastic(&mut program, &contact, &sliding, &axes);
     pressure(&mut program, &contact, &sliding, &mut g);
-    let minus = program.graph.constant(-1.0);
+    let one = program.graph.constant(1.0);
     for (g, p) in g.iter_mut().zip(&second) {
-        g.add_scaled(&mut program.graph, minus, p);
+        g.add_scaled(&mut program.graph, one, p);
     }
-    hessian(&mut program, &contact, &sliding, &z, &mut g);
-    let cross = cross(&mut program, &contact, &sliding);
+    hessian(&mut program, &contact, &sliding, &minus, &mut g);
+    let cross = cross(&mut program, &contact, &minus);
     outputs(
         &mut program,
         kinematics,
         &contact,
-        [&z, &second, &g],
+        &z,
+        [&second, &g],
         &cross,
     );
     program.settle_terms();
@@ -91,41 +87,57 @@ pub fn tangent_program(kinematics: &Kinematics, axis: Option<Axis>, rolls: bool)
 }
 
 /// Z_q = −m_qr (e_r·δr + L n·δr_,r) [eq:variation]
-pub(super) fn projection(graph: &mut Graph, contact: &Contact) -> Vec<Form> {
+pub(super) fn projection(
+    graph: &mut Graph,
+    contact: &Contact,
+    kinematics: &Kinematics,
+) -> Vec<Variation> {
     let (d, p) = (contact.d, contact.p);
+    let zero = graph.constant(0.0);
     (0..p)
         .map(|q| {
-            let mut form = Form::zero(graph, d, p);
-            for r in 0..p {
-                let minus = graph.negate(contact.m[pair_index(q, r)]);
-                let along = contact.e[r].scale(graph, minus);
-                form.add_position(graph, &along);
-                let turn = graph.multiply(minus, contact.distance);
-                let turn = contact.n.scale(graph, turn);
-                form.add_turning(graph, r, &turn);
-            }
-            form
+            let minus: Vec<NodeId> = (0..p)
+                .map(|r| graph.negate(contact.m[pair_index(q, r)]))
+                .collect();
+            let position = combination(graph, d, &|r| (minus[r], contact.e[r].clone()), p);
+            let levers: Vec<NodeId> = minus
+                .iter()
+                .map(|&minus| graph.multiply(minus, contact.distance))
+                .collect();
+            let turning = (0..p)
+                .map(|i| match kinematics.moving[i] {
+                    true => contact.on_declared(graph, &levers, i),
+                    false => zero,
+                })
+                .collect();
+            Variation { position, turning }
         })
         .collect()
 }
 
 /// Δa_qr = e_r·Δr_,q + e_q·Δr_,r + (r_,qk·e_r + r_,rk·e_q) Z_k [eq:metric-change], entries 11, 12, 22.
-fn metric(graph: &mut Graph, contact: &Contact, z: &[Form]) -> Vec<Form> {
+fn metric(graph: &mut Graph, contact: &Contact) -> Vec<Form> {
     let (d, p) = (contact.d, contact.p);
+    let one = graph.constant(1.0);
     let mut forms = Vec::new();
     for (q, r) in pairs(p) {
         let mut form = Form::zero(graph, d, p);
-        form.add_turning(graph, q, &contact.e[r]);
-        form.add_turning(graph, r, &contact.e[q]);
-        for (k, z) in z.iter().enumerate() {
+        form.add_along(graph, (r, q), one);
+        form.add_along(graph, (q, r), one);
+        for k in 0..p {
             let first = contact.second[pair_index(q, k)].dot(graph, &contact.e[r]);
             let last = contact.second[pair_index(r, k)].dot(graph, &contact.e[q]);
-            let factor = graph.add(first, last);
-            form.add_scaled(graph, factor, z);
+            form.variation[k] = graph.add(first, last);
         }
         forms.push(form);
     }
     forms
+}
+
+/// M as factors of forms: entry (q, r) lists which form enters M_qr with which factor.
+struct Axes {
+    forms: Vec<Form>,
+    entries: Vec<Vec<Vec<(usize, f64)>>>,
 }
 
 /// M_qr: Δa/2 where the law has no axes; convected axes M_12 = Δa_12, M_21 = 0; along the slave curve
@@ -134,42 +146,29 @@ fn axes(
     program: &mut Program,
     contact: &Contact,
     sliding: &Sliding,
-    z: &[Form],
-    strain: &[Form],
+    strain: Vec<Form>,
     axis: Option<Axis>,
-) -> Vec<Vec<Form>> {
-    let (d, p) = (contact.d, contact.p);
-    let graph = &mut program.graph;
-    let half = graph.constant(0.5);
-    let zero = Form::zero(graph, d, p);
-    let halved = |graph: &mut Graph, form: &Form| {
-        let mut result = zero.clone();
-        result.add_scaled(graph, half, form);
-        result
-    };
-    if p == 1 {
-        return vec![vec![halved(graph, &strain[0])]];
+) -> Axes {
+    let mut forms = strain;
+    if contact.p == 1 {
+        let entries = vec![vec![vec![(0, 0.5)]]];
+        return Axes { forms, entries };
     }
-    let (first, last) = (halved(graph, &strain[0]), halved(graph, &strain[2]));
     let (right, left) = match (axis, &sliding.slave_tangent) {
-        (Some(Axis::Convected), _) => (strain[1].clone(), zero.clone()),
+        (Some(Axis::Convected), _) => (vec![(1, 1.0)], vec![]),
         (Some(Axis::Slave), Some(tangent)) => {
-            let right = slave_turn(program, contact, tangent, z);
-            let minus = program.graph.constant(-1.0);
-            let mut left = strain[1].clone();
-            left.add_scaled(&mut program.graph, minus, &right);
-            (right, left)
+            forms.push(slave_turn(program, contact, tangent));
+            (vec![(3, 1.0)], vec![(1, 1.0), (3, -1.0)])
         }
-        _ => {
-            let mixed = halved(graph, &strain[1]);
-            (mixed.clone(), mixed)
-        }
+        _ => (vec![(1, 0.5)], vec![(1, 0.5)]),
     };
-    vec![vec![first, right], vec![left, last]]
+    let (first, last) = (vec![(0, 0.5)], vec![(2, 0.5)]);
+    let entries = vec![vec![first, right], vec![left, last]];
+    Axes { forms, entries }
 }
 
 /// (e_2·Δd + d·Δb_2)/(d·e_1) with the slave's tangent d and Δb_2 = Δr_,2 + r_,2k Z_k. [eq:axes]
-fn slave_turn(program: &mut Program, contact: &Contact, tangent: &Vector, z: &[Form]) -> Form {
+fn slave_turn(program: &mut Program, contact: &Contact, tangent: &Vector) -> Form {
     let graph = &mut program.graph;
     let one = graph.constant(1.0);
     let along = tangent.dot(graph, &contact.e[0]);
@@ -179,42 +178,47 @@ fn slave_turn(program: &mut Program, contact: &Contact, tangent: &Vector, z: &[F
     let mut form = Form::zero(graph, contact.d, contact.p);
     form.slave = contact.e[1].scale(graph, inverse);
     let turned = tangent.scale(graph, inverse);
-    form.add_turning(graph, 1, &turned);
-    for (k, z) in z.iter().enumerate() {
-        let factor = turned.dot(graph, &contact.second[pair_index(1, k)]);
-        form.add_scaled(graph, factor, z);
+    for q in 0..contact.p {
+        let part = turned.dot(graph, &contact.e[q]);
+        form.add_along(graph, (q, 1), part);
+    }
+    form.lift[1] = turned.dot(graph, &contact.n);
+    for k in 0..contact.p {
+        form.variation[k] = turned.dot(graph, &contact.second[pair_index(1, k)]);
     }
     form
 }
 
 /// C_qr (Z_r + M_rk s_k) + t_r M_rq [eq:slip-change] [eq:slip-metric] [eq:traction-metric]
-fn elastic(
-    program: &mut Program,
-    contact: &Contact,
-    sliding: &Sliding,
-    z: &[Form],
-    axes: &[Vec<Form>],
-) -> Vec<Form> {
+fn elastic(program: &mut Program, contact: &Contact, sliding: &Sliding, axes: &Axes) -> Vec<Form> {
     let p = contact.p;
     let all: Vec<NodeId> = sliding.c.iter().flatten().copied().collect();
     let direct = program.terms("slip-change", &all, "");
     let metric = program.terms("slip-metric", &all, "the metric is constant");
     let traction = program.terms("traction-metric", &sliding.t, "the metric is constant");
     let graph = &mut program.graph;
-    (0..p)
-        .map(|q| {
-            let mut form = Form::zero(graph, contact.d, p);
-            for r in 0..p {
-                form.add_scaled(graph, direct[q * p + r], &z[r]);
-                for k in 0..p {
-                    let factor = graph.multiply(metric[q * p + r], sliding.slip[k]);
-                    form.add_scaled(graph, factor, &axes[r][k]);
-                }
-                form.add_scaled(graph, traction[r], &axes[r][q]);
+    let mut result = Vec::new();
+    for q in 0..p {
+        let mut form = Form::zero(graph, contact.d, p);
+        form.variation.copy_from_slice(&direct[q * p..(q + 1) * p]);
+        let mut factors = vec![graph.constant(0.0); axes.forms.len()];
+        for (r, k) in (0..p).flat_map(|r| (0..p).map(move |k| (r, k))) {
+            let mut factor = graph.multiply(metric[q * p + r], sliding.slip[k]);
+            if k == q {
+                factor = graph.add(factor, traction[r]);
             }
-            form
-        })
-        .collect()
+            for &(index, share) in &axes.entries[r][k] {
+                let share = graph.constant(share);
+                let part = graph.multiply(share, factor);
+                factors[index] = graph.add(factors[index], part);
+            }
+        }
+        for (&factor, other) in factors.iter().zip(&axes.forms) {
+            form.add_scaled(graph, factor, other);
+        }
+        result.push(form);
+    }
+    result
 }
 
 /// h_q Δp with Δp = −N' n·Δr [eq:pressure-change]
@@ -222,45 +226,54 @@ fn pressure(program: &mut Program, contact: &Contact, sliding: &Sliding, g: &mut
     let coefficients = program.terms("pressure-change", &sliding.h, "the law has no bound");
     let graph = &mut program.graph;
     let minus = graph.negate(sliding.slope);
-    for (form, h) in g.iter_mut().zip(coefficients) {
+    for (form, h) in g.iter_mut().zip(coefficients).take(contact.p) {
         let factor = graph.multiply(h, minus);
-        let along = contact.n.scale(graph, factor);
-        form.add_position(graph, &along);
+        form.normal = graph.add(form.normal, factor);
     }
 }
 
-/// P_k = τ_i Q_ik, Q_ik = r_,ik·δr + e_i·δr_,k + e_k·δr_,i + L n·δr_,ik [eq:Q]
-fn second_variation(program: &mut Program, contact: &Contact, sliding: &Sliding) -> Vec<Form> {
+/// −P_k = −τ_i Q_ik, Q_ik = r_,ik·δr + e_i·δr_,k + e_k·δr_,i + L n·δr_,ik [eq:Q]
+fn second_variation(
+    program: &mut Program,
+    kinematics: &Kinematics,
+    contact: &Contact,
+    minus: &[NodeId],
+) -> Vec<Form> {
     let (d, p) = (contact.d, contact.p);
     let still = "the tangents do not rotate with any unknown";
-    let position = program.terms(
-        "Q-position",
-        &sliding.force,
-        "no curvature along the projection",
+    let position = program.terms("Q-position", minus, "no curvature along the projection");
+    let outer = program.terms("Q-tangent", minus, still);
+    let inner = program.terms("Q-turning", minus, still);
+    let bending = program.terms(
+        "Q-bending",
+        minus,
+        "no s_A,ij differs from zero, or linearised on the tangent plane L = 0",
     );
-    let outer = program.terms("Q-tangent", &sliding.force, still);
-    let inner = program.terms("Q-turning", &sliding.force, still);
-    let bending = program.terms("Q-bending", &sliding.force, still);
     let graph = &mut program.graph;
-    let [position, outer, inner, bending] =
-        [position, outer, inner, bending].map(|t| contact.raised(graph, &t));
-    (0..p)
-        .map(|k| {
-            let mut form = Form::zero(graph, d, p);
-            for i in 0..p {
-                let bent = contact.second[pair_index(i, k)].scale(graph, position[i]);
-                form.add_position(graph, &bent);
-                let along = contact.e[i].scale(graph, outer[i]);
-                form.add_turning(graph, k, &along);
-                let along = contact.e[k].scale(graph, inner[i]);
-                form.add_turning(graph, i, &along);
-                let at = pair_index(i, k);
-                let lever = graph.multiply(contact.distance, bending[i]);
-                form.bending[at] = graph.add(form.bending[at], lever);
-            }
-            form
+    let levers: Vec<NodeId> = (0..p)
+        .map(|i| {
+            let along = contact.on_declared(graph, &bending, i);
+            graph.multiply(contact.distance, along)
         })
-        .collect()
+        .collect();
+    let mut result = Vec::new();
+    for k in 0..p {
+        let mut form = Form::zero(graph, d, p);
+        let bent = |i: usize| (position[i], contact.second[pair_index(i, k)].clone());
+        form.position = combination(graph, d, &bent, p);
+        for i in 0..p {
+            form.add_along(graph, (i, k), outer[i]);
+            form.add_along(graph, (k, i), inner[i]);
+        }
+        let row = symmetric_row(graph, &contact.frame, &levers, k);
+        for (h, (i, j)) in pairs(p).enumerate() {
+            if kinematics.curved[h] && kinematics.moving[i] && kinematics.moving[j] {
+                form.bending[h] = row[h];
+            }
+        }
+        result.push(form);
+    }
+    result
 }
 
 /// −τ_i Y_iqj Z_j, Y_iqj = r_,iq·e_j + r_,ij·e_q + r_,qj·e_i + L n·r_,iqj [eq:Y]
@@ -268,83 +281,87 @@ fn hessian(
     program: &mut Program,
     contact: &Contact,
     sliding: &Sliding,
-    z: &[Form],
+    minus: &[NodeId],
     g: &mut [Form],
 ) {
     let p = contact.p;
-    let second = program.terms(
-        "Y-second",
-        &sliding.force,
-        "no curvature within the tangent plane",
-    );
-    let third = program.terms(
-        "Y-third",
-        &sliding.force,
-        "no third derivative along the normal",
-    );
+    let second = program.terms("Y-second", minus, "no curvature within the tangent plane");
+    let third = program.terms("Y-third", minus, "no third derivative along the normal");
     let graph = &mut program.graph;
-    let [second, third] = [second, third].map(|t| contact.raised(graph, &t));
-    for q in 0..p {
-        for j in 0..p {
-            let mut sum = graph.constant(0.0);
-            for i in 0..p {
-                let one = contact.second[pair_index(i, q)].dot(graph, &contact.e[j]);
-                let two = contact.second[pair_index(i, j)].dot(graph, &contact.e[q]);
-                let three = contact.second[pair_index(q, j)].dot(graph, &contact.e[i]);
-                let bends = graph.add(one, two);
-                let bends = graph.add(bends, three);
-                let bends = graph.multiply(second[i], bends);
-                let along = graph.multiply(contact.distance, sliding.third[i + q + j]);
-                let along = graph.multiply(third[i], along);
-                let part = graph.add(bends, along);
-                sum = graph.add(sum, part);
-            }
-            let minus = graph.negate(sum);
-            g[q].add_scaled(graph, minus, &z[j]);
+    let levers: Vec<NodeId> = (0..p)
+        .map(|i| {
+            let along = contact.on_declared(graph, &third, i);
+            graph.multiply(contact.distance, along)
+        })
+        .collect();
+    for (q, j) in pairs(p) {
+        let mut sum = contact.framed_third(graph, &sliding.third, &levers, (q, j));
+        for i in 0..p {
+            let bends = bends(graph, contact, [i, q, j]);
+            let part = graph.multiply(second[i], bends);
+            sum = graph.add(sum, part);
+        }
+        g[q].variation[j] = graph.add(g[q].variation[j], sum);
+        if q != j {
+            g[j].variation[q] = graph.add(g[j].variation[q], sum);
         }
     }
 }
 
+/// r_,iq·e_j + r_,ij·e_q + r_,qj·e_i, the same in any order of the indices.
+fn bends(graph: &mut Graph, contact: &Contact, mut indices: [usize; 3]) -> NodeId {
+    indices.sort_unstable();
+    let [i, q, j] = indices;
+    let one = contact.second[pair_index(i, q)].dot(graph, &contact.e[j]);
+    let two = contact.second[pair_index(i, j)].dot(graph, &contact.e[q]);
+    let three = contact.second[pair_index(q, j)].dot(graph, &contact.e[i]);
+    let sum = graph.add(one, two);
+    graph.add(sum, three)
+}
+
 /// −τ_i (δr·Δr_,i + δr_,i·Δr): one factor −τ^i for each declared parameter. [eq:cross]
-fn cross(program: &mut Program, contact: &Contact, sliding: &Sliding) -> Vec<NodeId> {
-    let t = program.terms(
+fn cross(program: &mut Program, contact: &Contact, minus: &[NodeId]) -> Vec<NodeId> {
+    let minus = program.terms(
         "cross",
-        &sliding.force,
+        minus,
         "the tangents do not rotate with any unknown",
     );
     let graph = &mut program.graph;
-    let tau = contact.raised(graph, &t);
     (0..contact.p)
-        .map(|i| {
-            let mut sum = graph.constant(0.0);
-            for (q, &tau) in tau.iter().enumerate() {
-                let part = graph.multiply(contact.frame[i][q], tau);
-                sum = graph.add(sum, part);
-            }
-            graph.negate(sum)
-        })
+        .map(|i| contact.on_declared(graph, &minus, i))
         .collect()
 }
 
-/// Z, P and G over the declared parameters, and the cross factors.
+/// Z, −P and G over the declared parameters, and the cross factors. G has the same of δr_,ij as −P.
 fn outputs(
     program: &mut Program,
     kinematics: &Kinematics,
     contact: &Contact,
-    forms: [&[Form]; 3],
+    variations: &[Variation],
+    forms: [&[Form]; 2],
     cross: &[NodeId],
 ) {
-    for (name, forms) in ["z", "p", "g"].into_iter().zip(forms) {
+    for (q, z) in variations.iter().enumerate() {
+        program.output_vector(&format!("z_{q}_position"), &z.position);
+        for (i, &value) in z.turning.iter().enumerate() {
+            program.output(format!("z_{q}_turning_{i}"), value);
+        }
+    }
+    for (name, forms) in ["p", "g"].into_iter().zip(forms) {
         for (q, form) in forms.iter().enumerate() {
-            let form = form.declared(&mut program.graph, &contact.frame, &kinematics.moving);
-            program.output_vector(&format!("{name}_{q}_position"), &form.position);
-            for (i, vector) in form.turning.iter().enumerate() {
+            let graph = &mut program.graph;
+            let declared = form.declared(graph, contact, variations, &kinematics.moving);
+            program.output_vector(&format!("{name}_{q}_position"), &declared.position);
+            for (i, vector) in declared.turning.iter().enumerate() {
                 program.output_vector(&format!("{name}_{q}_turning_{i}"), vector);
             }
-            for (h, &value) in form.bending.iter().enumerate() {
-                program.output(format!("{name}_{q}_bending_{h}"), value);
+            if name == "p" {
+                for (h, &value) in form.bending.iter().enumerate() {
+                    program.output(format!("{name}_{q}_bending_{h}"), value);
+                }
+            } else {
+                program.output_vector(&format!("{name}_{q}_slave"), &form.slave);
             }
-            program.output_vector(&format!("{name}_{q}_slave"), &form.slave);
         }
     }
     let zero = program.graph.constant(0.0);

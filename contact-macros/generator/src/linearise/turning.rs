@@ -16,7 +16,7 @@ pub fn tangent_program(kinematics: &Kinematics, curves: Curves) -> Program {
     let by_pressure = program.input_vector("by_pressure", 2).0;
     let slope = program.input("slope");
     let moments = signed(&mut program.graph, &moments);
-    let forms = Forms::new(&mut program.graph, &pair);
+    let forms = Forms::new(&mut program.graph, kinematics, &pair);
     let mut symmetric = vec![distance(&mut program, &pair, &forms, &moments)];
     symmetric.extend(tilt(&mut program, &forms, &moments));
     symmetric.extend(reference(&mut program, &forms, &moments));
@@ -58,9 +58,10 @@ struct Forms {
 }
 
 impl Forms {
-    fn new(graph: &mut Graph, pair: &Pair) -> Self {
-        let z = projection(graph, &pair.contact);
-        let shifts = [0, 1].map(|i| Motion::of_parameter(graph, &pair.contact.frame, &z, i));
+    fn new(graph: &mut Graph, kinematics: &Kinematics, pair: &Pair) -> Self {
+        let z = projection(graph, &pair.contact, kinematics);
+        let axes = (pair.contact.frame.as_slice(), &pair.contact.n);
+        let shifts = [0, 1].map(|i| Motion::of_parameter(graph, axes, &z, i));
         let [b1, b2] = &pair.tangents;
         let moved = [(b1, &shifts[0]), (b2, &shifts[1])];
         let position = Variation::new(graph, |form, _| &mut form.position, 0, &moved);

@@ -44,6 +44,7 @@ mod tests {
             dimension: 3,
             moving: vec![true, true],
             curved: vec![true, true, true],
+            third: vec![true; 4],
             signed: true,
             linearisation: Linearisation::Exact,
         };

@@ -240,13 +240,36 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             inputs.extend_from_slice(&state.tangent);
         }
         let values = interpret(program, &inputs, self.change(Place::TangentialTangent));
-        let width = 2 * D + P * D + P * (P + 1) / 2;
-        let forms: Vec<Vec<f64>> = values
-            .chunks_exact(width)
-            .take(3 * P)
-            .map(|form| self.row_of(form, point, contact.n, &state.slope))
-            .collect();
-        let cross = &values[3 * P * width..];
+        let mut values = values.as_slice();
+        let mut take = |count: usize| {
+            let (head, tail) = values.split_at(count);
+            values = tail;
+            head
+        };
+        let none = [0.0; 3];
+        let mut forms = Vec::new();
+        for _ in 0..P {
+            let (position, levers) = (take(D), take(P));
+            let turning: Vec<f64> = levers
+                .iter()
+                .flat_map(|lever| contact.n.map(|n| lever * n))
+                .collect();
+            let form = [position, &turning, &none[..P * (P + 1) / 2], &none[..D]];
+            forms.push(self.row_of(&form.concat(), point, contact.n, &state.slope));
+        }
+        let mut bendings = Vec::new();
+        for _ in 0..P {
+            let (vectors, bending) = (take(D + P * D), take(P * (P + 1) / 2));
+            let form = [vectors, bending, &none[..D]];
+            forms.push(self.row_of(&form.concat(), point, contact.n, &state.slope));
+            bendings.push(bending);
+        }
+        for bending in bendings {
+            let (vectors, slave) = (take(D + P * D), take(D));
+            let form = [vectors, bending, slave];
+            forms.push(self.row_of(&form.concat(), point, contact.n, &state.slope));
+        }
+        let cross = take(P);
         let n = self.result.residual.len();
         let sigma: Vec<f64> = (0..point.s.len())
             .map(|a| (0..P).map(|i| cross[i] * point.ds[i][a]).sum())
@@ -257,7 +280,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
                 for q in 0..P {
                     let measure = contact.variation.get(j).copied().unwrap_or(0.0);
                     sum += contact.weight * forms[q][i] * forms[2 * P + q][j];
-                    sum -= contact.weight * forms[P + q][i] * forms[q][j];
+                    sum += contact.weight * forms[P + q][i] * forms[q][j];
                     sum += forms[q][i] * state.t[q] * measure;
                 }
                 if i % D == j % D {

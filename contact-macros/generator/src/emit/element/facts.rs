@@ -10,7 +10,7 @@ use crate::emit::program::Emitted;
 use crate::emit::rule::{WeightedPoint, gauss};
 use crate::ir::Program;
 use crate::linearise::{Kinematics, distance, gap, geometry, measure, normal, second_derivatives};
-use crate::model::{Body, Element, Gap, Master, Measure, Rule, Slave};
+use crate::model::{Body, Element, Gap, Geometry, Master, Measure, Rule, Slave};
 
 /// Everything about an element that several parts of the output need.
 pub(super) struct Facts<'a> {
@@ -131,23 +131,31 @@ impl<'a> Facts<'a> {
 
 /// Which parameters move what, and where anything is curved.
 pub(super) fn kinematics(element: &Element) -> Kinematics {
-    let (moving, curved) = match (&element.slave, &element.master) {
-        (Slave::Projected(slave), Master::Shape(master)) => {
-            let (first, second) = (geometry::curved(slave)[0], geometry::curved(master)[0]);
-            (vec![true, true], vec![first, false, second])
-        }
+    let both = |slave: &Geometry, master: &Geometry| {
+        let first = (
+            geometry::curved(slave)[0],
+            geometry::third_remaining(slave)[0],
+        );
+        let last = (
+            geometry::curved(master)[0],
+            geometry::third_remaining(master)[0],
+        );
+        (
+            vec![first.0, false, last.0],
+            vec![first.1, false, false, last.1],
+        )
+    };
+    let (moving, (curved, third)) = match (&element.slave, &element.master) {
+        (Slave::Projected(slave), Master::Shape(master)) => (vec![true, true], both(slave, master)),
         (
             Slave::Projected(slave),
             Master::Rigid {
                 geometry: master, ..
             },
-        ) => {
-            let (first, second) = (geometry::curved(slave)[0], geometry::curved(master)[0]);
-            (vec![true, false], vec![first, false, second])
-        }
+        ) => (vec![true, false], both(slave, master)),
         (_, Master::Shape(master)) => (
             vec![true; master.coordinates.len()],
-            geometry::curved(master),
+            (geometry::curved(master), geometry::third_remaining(master)),
         ),
         (
             _,
@@ -156,14 +164,15 @@ pub(super) fn kinematics(element: &Element) -> Kinematics {
             },
         ) => (
             vec![false; master.coordinates.len()],
-            geometry::curved(master),
+            (geometry::curved(master), geometry::third_remaining(master)),
         ),
-        (_, Master::Point | Master::Distance { .. }) => (vec![], vec![]),
+        (_, Master::Point | Master::Distance { .. }) => (vec![], (vec![], vec![])),
     };
     Kinematics {
         dimension: element.dimension,
         moving,
         curved,
+        third,
         signed: element.gap == Gap::Signed,
         linearisation: element.linearisation,
     }

@@ -1,14 +1,15 @@
 //! What are frame, residual and tangent of tangential contact?
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::expressions::{components, geometry_path, is_rational, matrix, nodes, shape_call};
 use super::facts::{Facts, kinematics};
+use super::friction_tangent::{contact_inputs, joins, tangent_call, tangent_items};
 use super::rolling::Rolling;
 use crate::emit::imports;
 use crate::emit::program::Emitted;
-use crate::linearise::{frame, tangential, third_derivatives};
+use crate::linearise::{Kinematics, frame, tangential};
 use crate::model::{Axis, Element, Geometry, Master, Rule, Slave};
 
 /// The programs of tangential contact.
@@ -22,10 +23,7 @@ pub(super) struct Friction {
 
 impl Friction {
     /// None for a frictionless element.
-    pub(super) fn new(
-        element: &Element,
-        kinematics: &crate::linearise::Kinematics,
-    ) -> Option<Self> {
+    pub(super) fn new(element: &Element, kinematics: &Kinematics) -> Option<Self> {
         let axis = element.tangential.as_ref()?.axis;
         let rolls = element.rolling.is_some();
         let tangent = (!element.residual_only)
@@ -48,15 +46,23 @@ impl Friction {
 }
 
 /// The module of the programs of tangential contact. Elements with the same number of parameters and the same
-/// vanishing terms share them: each is compiled once, as a call.
+/// vanishing terms share them: the tangent is compiled once, as a call from values to values.
 pub fn emit_friction(elements: &[Element]) -> TokenStream {
     let mut seen = std::collections::BTreeSet::new();
     let mut items = TokenStream::new();
     for element in elements {
-        let friction = Friction::new(element, &kinematics(element));
+        let kinematics = kinematics(element);
+        let friction = Friction::new(element, &kinematics);
         for emitted in friction.iter().flat_map(Friction::emitted) {
             if seen.insert(emitted.function.to_string()) {
                 items.extend(emitted.shared_items());
+            }
+        }
+        let tangent = friction.and_then(|friction| friction.tangent.map(|t| (t, friction.axis)));
+        if let Some((tangent, axis)) = tangent {
+            let name = tangent_call(element, &tangent);
+            if seen.insert(name.to_string()) {
+                items.extend(tangent_items(element, &kinematics, &tangent, axis));
             }
         }
     }
@@ -84,7 +90,7 @@ impl Facts<'_> {
         let (higher, tangent) = match &friction.tangent {
             Some(tangent) => (
                 self.higher_method(),
-                self.tangential_method(friction, &tangent.function),
+                self.tangential_method(friction, tangent),
             ),
             None if friction.rolling.is_some() => (self.higher_method(), quote! {}),
             None => (quote! {}, quote! {}),
@@ -196,27 +202,10 @@ impl Facts<'_> {
         }
     }
 
-    /// n, L, b_i, r_,ij, E
-    pub(super) fn contact_inputs(&self) -> Vec<TokenStream> {
-        let (d, p, h) = self.sizes();
-        let mut inputs: Vec<TokenStream> = (0..d).map(|k| quote! { gap.n[#k] }).collect();
-        inputs.push(quote! { gap.distance });
-        for i in 0..p {
-            inputs.extend(components("b", Some(i), d));
-        }
-        for i in 0..h {
-            inputs.extend(components("second", Some(i), d));
-        }
-        for i in 0..p {
-            inputs.extend((0..p).map(|q| quote! { frame.e[#i][#q] }));
-        }
-        inputs
-    }
-
     fn force_method(&self, friction: &Friction) -> TokenStream {
         let function = &friction.residual.function;
         let (d, p, h) = self.sizes();
-        let mut inputs = self.contact_inputs();
+        let mut inputs = contact_inputs((d, p, h));
         inputs.extend(self.effective_force(friction));
         let force = (0..d).map(|k| quote! { o[#k] });
         let turn = (d..d + p).map(|k| quote! { o[#k] });
@@ -234,40 +223,20 @@ impl Facts<'_> {
         }
     }
 
-    fn tangential_method(&self, friction: &Friction, function: &Ident) -> TokenStream {
+    fn tangential_method(&self, friction: &Friction, tangent: &Emitted) -> TokenStream {
         let (d, p, h) = self.sizes();
-        let tangent = self.slave_tangent(friction);
-        let mut inputs = self.contact_inputs();
-        for k in 0..third_derivatives(p) {
-            // a curve's only third derivative stands first
-            inputs.extend((0..d).map(|c| quote! { third[#k][#c] }));
-        }
-        inputs.extend((0..p).map(|q| quote! { frame.s[#q] }));
-        inputs.extend((0..p).map(|q| quote! { tangential.t[#q] }));
-        for q in 0..p {
-            inputs.extend((0..p).map(|r| quote! { tangential.c[#q][#r] }));
-        }
-        inputs.extend((0..p).map(|q| quote! { tangential.h[#q] }));
-        inputs.push(quote! { slope });
-        if friction.rolling.is_some() {
-            inputs.extend(self.effective_force(friction));
-        }
-        if friction.axis == Some(Axis::Slave) {
-            inputs.extend((0..d).map(|k| quote! { slave_tangent[#k] }));
-        }
-        let width = 2 * d + p * d + h;
-        let forms = |start: usize| {
-            let forms = (0..p).map(|q| form(start + q * width, (d, p, h)));
-            quote! { [#(#forms),*] }
+        let slave_tangent = self.slave_tangent(friction);
+        let along = slave_tangent.is_some().then(|| quote! { , &slave_tangent });
+        let call = tangent_call(self.element, tangent);
+        let (method, result) = if joins(self.element, &self.kinematics) {
+            (quote! { joined_tangent }, quote! { [[f64; #d]; #d] })
+        } else {
+            let result = quote! { runtime::TangentialCoefficients<#d, #p, #h> };
+            (quote! { tangential_tangent }, result)
         };
-        let (z, second, g) = (forms(0), forms(p * width), forms(2 * p * width));
-        let cross = (0..p).map(|i| {
-            let index = 3 * p * width + i;
-            quote! { o[#index] }
-        });
         quote! {
             #[inline(always)]
-            fn tangential_tangent(
+            fn #method(
                 (point, x): (usize, &[[f64; #d]]),
                 vectors: &runtime::Vectors<#d, #p, #h>,
                 gap: &runtime::Gap<#d>,
@@ -275,12 +244,9 @@ impl Facts<'_> {
                 third: &[[f64; #d]; 4],
                 (tangential, slope): (&runtime::Tangential, f64),
                 parameters: &[f64],
-            ) -> runtime::TangentialCoefficients<#d, #p, #h> {
-                #tangent
-                let o = friction::#function(&[#(#inputs),*]);
-                runtime::TangentialCoefficients {
-                    z: #z, p: #second, g: #g, cross: [#(#cross),*],
-                }
+            ) -> #result {
+                #slave_tangent
+                friction::#call(vectors, gap, frame, third, (tangential, slope) #along)
             }
         }
     }
@@ -334,20 +300,5 @@ impl Facts<'_> {
                 #body
             }
         }
-    }
-}
-
-/// A linear form from consecutive outputs.
-fn form(start: usize, (d, p, h): (usize, usize, usize)) -> TokenStream {
-    let run = |start: usize, count: usize| {
-        let entries = (start..start + count).map(|index| quote! { o[#index] });
-        quote! { [#(#entries),*] }
-    };
-    let position = run(start, d);
-    let turning = matrix(start + d, p, d);
-    let bending = run(start + d + p * d, h);
-    let slave = run(start + d + p * d + h, d);
-    quote! {
-        runtime::Form { position: #position, turning: #turning, bending: #bending, slave: #slave }
     }
 }

@@ -9,6 +9,7 @@
 //! | `gap`, `tangent`, `measure` | gap, coefficients of the tangent, area of a point |
 //! | `friction` | frame, residual and tangent of tangential contact |
 //! | `rolling` | angles about two curves and their moments |
+//! | `friction_tangent` | that tangent as a call that elements share |
 //! | `descriptor` | what the C interface knows |
 //! | `description` | what the verification knows |
 
@@ -17,6 +18,7 @@ mod descriptor;
 mod expressions;
 mod facts;
 mod friction;
+mod friction_tangent;
 mod gap;
 mod implementation;
 mod kinematics;

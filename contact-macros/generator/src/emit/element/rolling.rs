@@ -6,6 +6,7 @@ use quote::quote;
 use super::expressions::{components, geometry_path, nodes, tangential_law_path};
 use super::facts::Facts;
 use super::friction::Friction;
+use super::friction_tangent::contact_inputs;
 use crate::emit::program::Emitted;
 use crate::linearise::rolling::{self, Curves};
 use crate::linearise::{Kinematics, geometry, turning};
@@ -90,7 +91,10 @@ impl Facts<'_> {
                 parameters: &[f64],
                 forced: Option<runtime::Status>,
             ) -> Result<(runtime::Status, runtime::Tangential), runtime::Status> {
-                runtime::return_map::<#law>([angle, 0.0], pressure, path, parameters, forced)
+                let mut moment = runtime::Tangential::default();
+                let loading = (pressure, path);
+                runtime::return_map::<#law>([angle, 0.0], loading, parameters, forced, &mut moment)
+                    .map(|status| (status, moment))
             }
             #angles
             #force
@@ -138,7 +142,7 @@ impl Facts<'_> {
 
     /// The contact point with third derivatives and directors.
     fn rolling_inputs(&self, rolling: &Rolling) -> Vec<TokenStream> {
-        let mut inputs = self.contact_inputs();
+        let mut inputs = contact_inputs((3, 2, 3));
         for k in 0..4usize {
             inputs.extend((0..3usize).map(|c| quote! { third[#k][#c] }));
         }

@@ -12,7 +12,7 @@ fn check(element: &Descriptor, history: &[f64], name: i32) -> Result<(), Fault> 
         return Err((code::NOT_FINITE, name, entry));
     }
     let (size, p) = (element.point_history(), element.projected);
-    let possible = |(entry, &value): (usize, &f64)| match entry % size {
+    let possible = |(entry, &value): (usize, &f64)| match entry.checked_rem(size).unwrap_or(0) {
         0 => is_status(value),
         last if last + 1 == size => value <= 0.0,
         zeta if zeta <= p => true,
@@ -36,8 +36,11 @@ fn is_held(history: &[f64]) -> bool {
 /// pair of histories of one step.
 fn check_anchors(element: &Descriptor, trial: &[f64], accepted: &[f64]) -> Result<(), Fault> {
     let (size, p) = (element.point_history(), element.projected);
-    let points = trial.chunks_exact(size).zip(accepted.chunks_exact(size));
-    for (number, (trial, accepted)) in points.enumerate() {
+    for number in 0..element.points {
+        let own = number * size..(number + 1) * size;
+        let (Some(trial), Some(accepted)) = (trial.get(own.clone()), accepted.get(own)) else {
+            continue;
+        };
         for i in 0..p {
             let moved = moved_anchor(element, trial, accepted, i);
             if moved.is_some_and(|anchor| !element.can_be_anchor(i, anchor)) {
@@ -85,11 +88,11 @@ fn augmented(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) -> Resul
     check(element, trial, argument::HISTORY_NEW)?;
     check(element, accepted, argument::HISTORY_OLD)?;
     check_anchors(element, trial, accepted)?;
-    let points = trial
-        .chunks_exact(size)
-        .zip(accepted.chunks_exact_mut(size));
-    for (trial, accepted) in points {
-        augment_point(element, trial, accepted);
+    for number in 0..element.points {
+        let own = number * size..(number + 1) * size;
+        if let (Some(trial), Some(accepted)) = (trial.get(own.clone()), accepted.get_mut(own)) {
+            augment_point(element, trial, accepted);
+        }
     }
     Ok(())
 }

@@ -94,7 +94,7 @@ fn position(
     a: usize,
 ) -> Result<([f64; 3], [f64; 3]), Fault> {
     let (mut x, mut u) = ([0.0; 3], [0.0; 3]);
-    for k in 0..element.dimension {
+    for k in (0..3).take(element.dimension) {
         x[k] = nodes.x.entry(nodes.number(a), k);
         u[k] = nodes.u.map_or(0.0, |u| u.entry(nodes.number(a), k));
         if !is_usable(x[k]) {
@@ -389,10 +389,11 @@ unsafe fn start(element: &Descriptor, history: *mut f64, number: usize, closest:
     let (p, size) = (element.projected, element.point_history());
     // SAFETY: promised by the caller.
     let entries = unsafe { core::slice::from_raw_parts_mut(history.add(number * size), size) };
+    let at = |i: usize| closest.zeta.get(i).copied().unwrap_or(0.0);
     for (index, entry) in entries.iter_mut().enumerate() {
         *entry = match index.checked_sub(1) {
-            Some(i) if i < p => closest.zeta[i],
-            Some(i) if element.friction && i < 2 * p => closest.zeta[i - p],
+            Some(i) if i < p => at(i),
+            Some(i) if element.friction && i < 2 * p => at(i - p),
             _ => 0.0,
         };
     }

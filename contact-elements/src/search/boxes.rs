@@ -114,7 +114,9 @@ impl Box {
 
     /// Parameter `i` at one value only.
     fn keep(&mut self, i: usize, value: f64) {
-        (self.lower[i], self.upper[i]) = (value, value);
+        if let (Some(lower), Some(upper)) = (self.lower.get_mut(i), self.upper.get_mut(i)) {
+            (*lower, *upper) = (value, value);
+        }
         if self.is_diagonal {
             (self.lower[1], self.upper[1]) = (1.0 - value, 1.0 - value);
         }
@@ -135,6 +137,7 @@ impl Box {
     /// Two halves along parameter `i`.
     fn halves(&self, i: usize) -> (Self, Self) {
         let (mut low, mut high) = (*self, *self);
+        let i = i.min(1);
         let middle = 0.5 * (self.lower[i] + self.upper[i]);
         (low.upper[i], high.lower[i]) = (middle, middle);
         if self.is_diagonal {
@@ -207,7 +210,11 @@ impl<'a> Search<'a> {
             } else {
                 (whole.lower[i], whole.upper[i])
             };
-            SHARES.map(|share| (low + share * (high - low)).clamp(whole.lower[i], whole.upper[i]))
+            SHARES.map(|share| {
+                (low + share * (high - low))
+                    .max(whole.lower[i])
+                    .min(whole.upper[i])
+            })
         };
         let mut start = (f64::MAX, whole.lower);
         for first in near(0) {
@@ -277,7 +284,7 @@ impl<'a> Search<'a> {
         } else {
             (self.region.lower, self.region.upper)
         };
-        for i in 0..self.region.p {
+        for i in (0..2).take(self.region.p) {
             if next.upper[i] <= next.lower[i] || (next.is_diagonal && i == 1) {
                 continue;
             }
@@ -325,7 +332,9 @@ impl<'a> Search<'a> {
     /// Keeps the nearer of two feet.
     fn take(&mut self, foot: Foot) {
         let near = |other: &Foot| {
-            (0..self.region.p).all(|i| abs(foot.zeta[i] - other.zeta[i]) <= NEAR * self.extent(i))
+            (0..2)
+                .take(self.region.p)
+                .all(|i| abs(foot.zeta[i] - other.zeta[i]) <= NEAR * self.extent(i))
         };
         let Some(best) = self.foot else {
             if foot.square <= self.best * (1.0 + SAME) {

@@ -142,7 +142,9 @@ fn advance(
     let mut factor = 1.0;
     for _ in 0..30 {
         let trial: [f64; 2] = core::array::from_fn(|i| {
-            (zeta[i] + factor * change[i]).clamp(within.lower[i], within.upper[i])
+            (zeta[i] + factor * change[i])
+                .max(within.lower[i])
+                .min(within.upper[i])
         });
         let is_small = |i: usize| {
             let scale = (within.upper[i] - within.lower[i]).max(abs(zeta[i]));

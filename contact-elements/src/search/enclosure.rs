@@ -95,10 +95,10 @@ fn refine(
     noise: f64,
 ) {
     let about = |value: f64| Interval::between(value - noise, value + noise);
-    for i in 0..axes {
+    for i in (0..2).take(axes) {
         for k in 0..3 {
             let mut mean = about(centre.b[i][k]);
-            for j in 0..axes {
+            for j in (0..2).take(axes) {
                 mean = mean.add(over.second[i + j][k].multiply(way[j]));
             }
             over.b[i][k] = over.b[i][k].common(mean);
@@ -106,7 +106,7 @@ fn refine(
     }
     for k in 0..3 {
         let mut mean = about(centre.r[k]);
-        for i in 0..axes {
+        for i in (0..2).take(axes) {
             mean = mean.add(over.b[i][k].multiply(way[i]));
         }
         over.r[k] = over.r[k].common(mean);
@@ -124,7 +124,7 @@ fn slopes(
     let mut slopes = [Interval::ZERO; 2];
     for (i, slope) in slopes.iter_mut().enumerate().take(axes) {
         let mut mean = slope_at(centre, i, axes);
-        for j in 0..axes {
+        for j in (0..2).take(axes) {
             mean = mean.add(curvature[i + j].multiply(way[j]));
         }
         *slope = dot(&over.r, &over.b[i]).common(mean);
@@ -154,7 +154,7 @@ fn least(
     let apart = near.fold(0.0, |sum, r| sum + r * r);
     let noise = 2.0 * NOISE * size(centre, axes) * size(centre, axes);
     let mut taylor = Interval::exactly(square(&centre.r) - noise);
-    for i in 0..axes {
+    for i in (0..2).take(axes) {
         taylor = taylor.add(slope_at(centre, i, axes).multiply(way[i]).times(2.0));
         taylor = taylor.add(curvature[2 * i].multiply(way[i].square()));
     }

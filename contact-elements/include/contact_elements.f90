@@ -44,6 +44,7 @@ module contact_elements
   integer(i4), parameter :: CTE_ARGUMENT_FROM = 26, CTE_ARGUMENT_FROM_OUTPUT = 27
   integer(i4), parameter :: CTE_ARGUMENT_FROM_HISTORY = 28, CTE_ARGUMENT_TO = 29
   integer(i4), parameter :: CTE_ARGUMENT_TO_OUTPUT = 30, CTE_ARGUMENT_TO_HISTORY = 31
+  integer(i4), parameter :: CTE_ARGUMENT_REACH = 32, CTE_ARGUMENT_RESULT = 33
 
   ! Request bits
   integer(i4), parameter :: CTE_RESIDUAL = 1, CTE_TANGENT = 2, CTE_HISTORY = 4, CTE_OUTPUT = 8
@@ -71,6 +72,10 @@ module contact_elements
   ! History of one contact point, entries from 0: status, projection, with friction anchor and slip path, with
   ! rolling the anchors and paths of both angles and the regime
   integer(i4), parameter :: CTE_HISTORY_STATUS = 0, CTE_HISTORY_PROJECTION = 1
+
+  ! Verdict of a global projection
+  integer(i4), parameter :: CTE_VERDICT_INSIDE = 0, CTE_VERDICT_BOUNDARY = 1, CTE_VERDICT_NOT_UNIQUE = 2
+  integer(i4), parameter :: CTE_VERDICT_BEYOND = 3, CTE_VERDICT_UNDECIDED = 4
 
   ! What an element is
   type, bind(c) :: cte_info
@@ -174,6 +179,17 @@ module contact_elements
     integer(c_int64_t) :: reserved(8) = 0
   end type cte_batch
 
+  ! A global projection of one contact point
+  type, bind(c) :: cte_projection
+    real(c_double) :: zeta(2) = 0
+    real(c_double) :: distance = 0
+    real(c_double) :: definiteness = 0
+    integer(c_int32_t) :: verdict = 0
+    integer(c_int32_t) :: feature = 0
+    integer(c_int32_t) :: boxes = 0
+    integer(c_int32_t) :: steps = 0
+  end type cte_projection
+
   ! The functions below in one table; c_f_procpointer makes procedure pointers of the entries
   type, bind(c) :: cte_api_table
     integer(c_int32_t) :: struct_size = 0
@@ -196,6 +212,7 @@ module contact_elements
     type(c_funptr) :: element_message = c_null_funptr
     type(c_funptr) :: history_transfer = c_null_funptr
     type(c_funptr) :: history_augment = c_null_funptr
+    type(c_funptr) :: element_project = c_null_funptr
   end type cte_api_table
 
   interface
@@ -288,6 +305,17 @@ module contact_elements
       integer(i4), intent(inout) :: argument
       integer(i4) :: code
     end function cte_history_augment
+
+    ! result: one entry per contact point; history: c_null_ptr, or the address of the element's history
+    function cte_element_project(element, arguments, reach, result, history) &
+        bind(c, name='cte_element_project') result(code)
+      import :: i4, dp, c_ptr, cte_arguments, cte_projection
+      type(c_ptr), value :: element, history
+      type(cte_arguments), intent(inout) :: arguments
+      real(dp), value :: reach
+      type(cte_projection), intent(inout) :: result(*)
+      integer(i4) :: code
+    end function cte_element_project
 
     function cte_element_evaluate(element, arguments) bind(c, name='cte_element_evaluate') result(code)
       import :: i4, c_ptr, cte_arguments

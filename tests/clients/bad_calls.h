@@ -7,5 +7,6 @@ void bad_states(void);  /* states without a normal or an area, sizes beyond any 
 void bad_batches(void); /* batches and their scatter map */
 void bad_friction(void); /* frictional elements and the transfer of their history */
 void bad_multipliers(void); /* elements with multipliers, unknown or of the history */
+void bad_project(void); /* global projections */
 
 #endif

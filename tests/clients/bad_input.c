@@ -358,6 +358,7 @@ int main(void)
   bad_states();
   bad_friction();
   bad_multipliers();
+  bad_project();
   printf("%s bad_input, %d failures\n", client_failures ? "FAIL" : "PASS", client_failures);
   return client_failures ? 1 : 0;
 }

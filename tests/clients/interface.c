@@ -25,6 +25,7 @@ int main(void)
   interface_multipliers();
   interface_multiplier_batch();
   interface_augmented();
+  interface_project();
   printf("%s interface, %d failures\n", client_failures ? "FAIL" : "PASS", client_failures);
   return client_failures ? 1 : 0;
 }

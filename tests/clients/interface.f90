@@ -16,6 +16,7 @@ program interface_client
   use interface_multipliers, only: interface_multipliers_run
   use interface_multiplier_batch, only: interface_multiplier_batch_run
   use interface_augmented, only: interface_augmented_run
+  use interface_project, only: interface_project_run
   implicit none
   call interface_layout_run()
   call interface_constants_run()
@@ -28,6 +29,7 @@ program interface_client
   call interface_multipliers_run()
   call interface_multiplier_batch_run()
   call interface_augmented_run()
+  call interface_project_run()
   print '(2a,i0,a)', merge('PASS', 'FAIL', client_failures == 0), ' interface, ', client_failures, ' failures'
   if (client_failures /= 0) stop 1
 end program interface_client

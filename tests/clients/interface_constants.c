@@ -68,7 +68,8 @@ static void arguments(void)
       CONSTANT(CTE_ARGUMENT_CSR, 24),         CONSTANT(CTE_ARGUMENT_STATUS, 25),
       CONSTANT(CTE_ARGUMENT_FROM, 26),        CONSTANT(CTE_ARGUMENT_FROM_OUTPUT, 27),
       CONSTANT(CTE_ARGUMENT_FROM_HISTORY, 28), CONSTANT(CTE_ARGUMENT_TO, 29),
-      CONSTANT(CTE_ARGUMENT_TO_OUTPUT, 30),   CONSTANT(CTE_ARGUMENT_TO_HISTORY, 31)};
+      CONSTANT(CTE_ARGUMENT_TO_OUTPUT, 30),   CONSTANT(CTE_ARGUMENT_TO_HISTORY, 31),
+      CONSTANT(CTE_ARGUMENT_REACH, 32),       CONSTANT(CTE_ARGUMENT_RESULT, 33)};
   COMPARE("arguments", list);
   texts("names of the arguments", list, sizeof list / sizeof list[0], cte_argument_name);
   client_check(strcmp(cte_argument_name(CTE_ARGUMENT_PARAMETERS), "parameters") == 0,
@@ -108,12 +109,16 @@ static void others(void)
       CONSTANT(CTE_OUTPUT_TANGENTS, 13),  CONSTANT(CTE_OUTPUT_ANGLES, 19),    CONSTANT(CTE_OUTPUT_MOMENTS, 21),
       CONSTANT(CTE_OUTPUT_SIZE, 23)};
   static const constant histories[] = {CONSTANT(CTE_HISTORY_STATUS, 0), CONSTANT(CTE_HISTORY_PROJECTION, 1)};
+  static const constant verdicts[] = {CONSTANT(CTE_VERDICT_INSIDE, 0), CONSTANT(CTE_VERDICT_BOUNDARY, 1),
+                                      CONSTANT(CTE_VERDICT_NOT_UNIQUE, 2), CONSTANT(CTE_VERDICT_BEYOND, 3),
+                                      CONSTANT(CTE_VERDICT_UNDECIDED, 4)};
   static const constant versions[] = {CONSTANT(CTE_VERSION_MAJOR, 1), CONSTANT(CTE_VERSION_MINOR, 0),
                                       CONSTANT(CTE_ABI_VERSION_COMPILED, 65536)};
   COMPARE("request bits", requests);
   COMPARE("kinds of unknowns", kinds);
   COMPARE("entries of the output", outputs);
   COMPARE("entries of the history", histories);
+  COMPARE("verdicts", verdicts);
   COMPARE("version numbers", versions);
   client_check(cte_abi_version() >> 16 == CTE_VERSION_MAJOR && cte_abi_version() >= CTE_ABI_VERSION_COMPILED,
                "the library is no older than the header");

@@ -81,6 +81,15 @@ static void layout_batch(void)
   layout("layout of cte_batch, bytes:", sizeof(cte_batch), 336, fields, sizeof fields / sizeof fields[0]);
 }
 
+static void layout_projection(void)
+{
+  static const field fields[] = {
+      FIELD(cte_projection, zeta, 0), FIELD(cte_projection, distance, 16), FIELD(cte_projection, definiteness, 24),
+      FIELD(cte_projection, verdict, 32), FIELD(cte_projection, feature, 36), FIELD(cte_projection, boxes, 40),
+      FIELD(cte_projection, steps, 44)};
+  layout("layout of cte_projection, bytes:", sizeof(cte_projection), 48, fields, sizeof fields / sizeof fields[0]);
+}
+
 static void layout_api_table(void)
 {
   static const field fields[] = {
@@ -93,8 +102,9 @@ static void layout_api_table(void)
       FIELD(cte_api_table, element_evaluate_batch, 88), FIELD(cte_api_table, csr_map, 96),
       FIELD(cte_api_table, code_message, 104), FIELD(cte_api_table, status_message, 112),
       FIELD(cte_api_table, argument_name, 120), FIELD(cte_api_table, element_message, 128),
-      FIELD(cte_api_table, history_transfer, 136), FIELD(cte_api_table, history_augment, 144)};
-  layout("layout of cte_api_table, bytes:", sizeof(cte_api_table), 152, fields, sizeof fields / sizeof fields[0]);
+      FIELD(cte_api_table, history_transfer, 136), FIELD(cte_api_table, history_augment, 144),
+      FIELD(cte_api_table, element_project, 152)};
+  layout("layout of cte_api_table, bytes:", sizeof(cte_api_table), 160, fields, sizeof fields / sizeof fields[0]);
 }
 
 void interface_layout(void)
@@ -102,5 +112,6 @@ void interface_layout(void)
   layout_info();
   layout_arguments();
   layout_batch();
+  layout_projection();
   layout_api_table();
 }

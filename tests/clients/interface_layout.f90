@@ -152,6 +152,19 @@ contains
     call finish('cte_batch', int(c_sizeof(v), i8), 336)
   end subroutine layout_batch
 
+  subroutine layout_projection()
+    type(cte_projection), target :: v
+    call begin(c_loc(v))
+    call field('zeta', c_loc(v%zeta), 0)
+    call field('distance', c_loc(v%distance), 16)
+    call field('definiteness', c_loc(v%definiteness), 24)
+    call field('verdict', c_loc(v%verdict), 32)
+    call field('feature', c_loc(v%feature), 36)
+    call field('boxes', c_loc(v%boxes), 40)
+    call field('steps', c_loc(v%steps), 44)
+    call finish('cte_projection', int(c_sizeof(v), i8), 48)
+  end subroutine layout_projection
+
   subroutine layout_api_table()
     type(cte_api_table), target :: v
     call begin(c_loc(v))
@@ -175,13 +188,15 @@ contains
     call field('element_message', c_loc(v%element_message), 128)
     call field('history_transfer', c_loc(v%history_transfer), 136)
     call field('history_augment', c_loc(v%history_augment), 144)
-    call finish('cte_api_table', int(c_sizeof(v), i8), 152)
+    call field('element_project', c_loc(v%element_project), 152)
+    call finish('cte_api_table', int(c_sizeof(v), i8), 160)
   end subroutine layout_api_table
 
   subroutine interface_layout_run()
     call layout_info()
     call layout_arguments()
     call layout_batch()
+    call layout_projection()
     call layout_api_table()
   end subroutine interface_layout_run
 

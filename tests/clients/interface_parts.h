@@ -13,5 +13,6 @@ void interface_transfer(void);  /* histories from element to element */
 void interface_multipliers(void);      /* multipliers that are unknowns */
 void interface_multiplier_batch(void); /* the same in batches */
 void interface_augmented(void);        /* multipliers of the history: Uzawa's iteration */
+void interface_project(void);          /* closest points without a start */
 
 #endif

@@ -357,7 +357,7 @@ typedef struct cte_batch {
 #define CTE_VERDICT_UNDECIDED 4
 typedef struct cte_projection {
   double zeta[2];      /* projected parameters, slave curve first; 0 beyond their number */
-  double distance;     /* |r|, without r0 [length]; 0 for points and distance functions as master */
+  double distance;     /* |r|, without r0 [length]; 0, whatever the reach, for points and distance functions as master */
   double definiteness; /* least eigenvalue of F relative to the metric: > 0 where the projection exists and is unique
                         * nearby, 1 on flat masters, 0 on the focal surface */
   int32_t verdict;

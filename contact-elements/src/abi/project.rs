@@ -275,7 +275,9 @@ unsafe fn project_all(
     if arguments.parameters.is_null() {
         return Err((code::NULL, argument::PARAMETERS, 0));
     }
-    if !is_usable(reach) || reach < 0.0 {
+    // by its bits: a comparison with a signalling NaN would raise an exception
+    let is_negative = reach.to_bits() > (1 << 63);
+    if !is_usable(reach) || is_negative {
         return Err((code::NOT_FINITE, argument::REACH, 0));
     }
     let (n, nslave) = node_counts(element, arguments)?;
@@ -287,10 +289,19 @@ unsafe fn project_all(
             slave_row(element, arguments.slave_row, nslave)?,
         )
     };
+    if let Some((entry, weight)) = row.iter().enumerate().next_back()
+        && !is_usable(*weight)
+    {
+        return Err((code::NOT_FINITE, argument::SLAVE_ROW, entry));
+    }
     let gathered = Gathered::new(element, &nodes, parameters, row)?;
     let refused = (code::ELEMENT, argument::ELEMENT, 0);
     for number in 0..element.points {
         let sides = gathered.sides(number).ok_or(refused)?;
+        if element.projected == 0 {
+            keep(number, &Closest::NOTHING_PROJECTED);
+            continue;
+        }
         let [domain, _] = &element.domains;
         let declared = gathered.declared(&sides);
         let found = match declared.filter(|&zeta| domain.feature(zeta, 0.0) == 0) {

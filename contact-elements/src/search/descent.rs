@@ -32,6 +32,12 @@ fn curvature(local: &Local<f64>) -> [f64; 3] {
     [f(0, 0), f(0, 1), f(1, 1)]
 }
 
+/// a/b where that can be formed, else 0: no branch may divide by what it has not looked at.
+fn guarded(a: f64, b: f64, can: bool) -> f64 {
+    let quotient = a / if can { b } else { 1.0 };
+    if can { quotient } else { 0.0 }
+}
+
 /// Least eigenvalue of a⁻¹F; 1 without parameters, 0 where the tangents are parallel. [eq:admissible]
 pub(super) fn definiteness(local: &Local<f64>, p: usize) -> f64 {
     let [f11, f12, f22] = curvature(local);
@@ -42,7 +48,7 @@ pub(super) fn definiteness(local: &Local<f64>, p: usize) -> f64 {
     );
     match p {
         0 => 1.0,
-        1 if a11 > 1e-60 => f11 / a11,
+        1 => guarded(f11, a11, a11 > 1e-60),
         2 => {
             // det(F − λ a) = det a λ² − 2 h λ + det F
             let (a, f) = (a11 * a22 - a12 * a12, f11 * f22 - f12 * f12);
@@ -52,9 +58,9 @@ pub(super) fn definiteness(local: &Local<f64>, p: usize) -> f64 {
             let h = 0.5 * (a11 * f22 + a22 * f11) - a12 * f12;
             let root = sqrt((h * h - a * f).max(0.0));
             if h > 0.0 {
-                f / (h + root)
+                guarded(f, h + root, h > 0.0)
             } else {
-                (h - root) / a
+                guarded(h - root, a, true)
             }
         }
         _ => 0.0,
@@ -106,11 +112,7 @@ fn direction(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2]
         } else {
             metric
         };
-        if divisor > 1e-100 {
-            -slope / divisor
-        } else {
-            0.0
-        }
+        guarded(-slope, divisor, divisor > 1e-100)
     };
     let metric = [0, 1].map(|i| dot(&local.b[i], &local.b[i]));
     let each = [
@@ -118,10 +120,11 @@ fn direction(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2]
         alone(slopes[1], f22, metric[1]),
     ];
     let determinant = f11 * f22 - f12 * f12;
+    let is_regular = determinant > 1e-15 * f11 * f22 && f11 > 0.0 && determinant > 1e-200;
     match free {
-        [true, true] if determinant > 1e-15 * f11 * f22 && f11 > 0.0 && determinant > 1e-200 => [
-            (f12 * slopes[1] - f22 * slopes[0]) / determinant,
-            (f12 * slopes[0] - f11 * slopes[1]) / determinant,
+        [true, true] if is_regular => [
+            guarded(f12 * slopes[1] - f22 * slopes[0], determinant, is_regular),
+            guarded(f12 * slopes[0] - f11 * slopes[1], determinant, is_regular),
         ],
         [first, last] => [
             if first { each[0] } else { 0.0 },
@@ -187,8 +190,9 @@ fn on_diagonal(sides: &Sides<'_>, within: &Box) -> ([f64; 2], u32) {
         } else {
             low = t;
         }
-        let wanted = if curvature > 1e-100 {
-            t - slope / curvature
+        let can = curvature > 1e-100;
+        let wanted = if can {
+            t - guarded(slope, curvature, can)
         } else {
             low
         };

@@ -6,6 +6,8 @@ use super::interval::{Interval, Scratch};
 use super::sides::{Local, Sides};
 use crate::arithmetic::sqrt;
 
+/// Lengths below this are zero.
+const SMALLEST: f64 = 1e-200;
 /// Rounding of sums over the nodes, relative to their size.
 const NOISE: f64 = 1e-14;
 
@@ -44,7 +46,7 @@ impl Enclosure {
         let least = least(&over, &centre, &way, &curvature, axes);
         let width = over.r.iter().map(|r| r.upper - r.lower).fold(0.0, f64::max);
         Self {
-            is_point: width <= 100.0 * noise,
+            is_point: width <= 100.0 * noise + SMALLEST,
             least,
             slopes,
             curvature,

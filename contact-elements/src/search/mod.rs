@@ -52,6 +52,17 @@ pub struct Closest {
 }
 
 impl Closest {
+    /// Of a point or a distance function as master.
+    pub(crate) const NOTHING_PROJECTED: Self = Self {
+        verdict: Verdict::Inside,
+        zeta: [0.0; 2],
+        distance: 0.0,
+        feature: 0,
+        definiteness: 1.0,
+        boxes: 0,
+        steps: 0,
+    };
+
     /// The closest point that a geometry declares.
     pub(crate) fn at(sides: &Sides<'_>, zeta: [f64; 2], reach: f64) -> Option<Self> {
         let local = sides.fit().then(|| sides.at(&zeta))?;

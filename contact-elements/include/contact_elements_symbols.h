@@ -417,96 +417,154 @@ int32_t cte_hermite_quad4_orthotropic(cte_arguments *arguments);
 #define CTE_HERMITE_QUAD4_ORTHOTROPIC_AT_POINT 101
 int32_t cte_hermite_quad4_orthotropic_at_point(cte_arguments *arguments);
 
+/* One point of a cubic Hermite curve on a bilinear facet, friction by the curve's own form, which is the one on */
+/* the tangent plane. */
+#define CTE_HERMITE_QUAD4_ORTHOTROPIC_AT_POINT_TANGENT_PLANE 102
+int32_t cte_hermite_quad4_orthotropic_at_point_tangent_plane(cte_arguments *arguments);
+
 /* One point of a straight line on a biquadratic facet: pulling friction along the line, dragging friction */
 /* across. */
-#define CTE_LINE2_QUAD9_ORTHOTROPIC_AT_POINT 102
+#define CTE_LINE2_QUAD9_ORTHOTROPIC_AT_POINT 103
 int32_t cte_line2_quad9_orthotropic_at_point(cte_arguments *arguments);
 
 /* Straight rope segment on a placed rigid cylinder: pulling friction along it, dragging friction across. */
-#define CTE_LINE2_CYLINDER_ORTHOTROPIC 103
+#define CTE_LINE2_CYLINDER_ORTHOTROPIC 104
 int32_t cte_line2_cylinder_orthotropic(cte_arguments *arguments);
 
 /* Bilinear facet on bilinear facet, Coulomb friction. */
-#define CTE_QUAD4_QUAD4_COULOMB 104
+#define CTE_QUAD4_QUAD4_COULOMB 105
 int32_t cte_quad4_quad4_coulomb(cte_arguments *arguments);
 
 /* One point of a bilinear facet on a bilinear facet, Coulomb friction. */
-#define CTE_QUAD4_QUAD4_COULOMB_AT_POINT 105
+#define CTE_QUAD4_QUAD4_COULOMB_AT_POINT 106
 int32_t cte_quad4_quad4_coulomb_at_point(cte_arguments *arguments);
 
 /* Bilinear facet on bilinear facet, Coulomb friction, area of the current configuration. */
-#define CTE_QUAD4_QUAD4_COULOMB_CURRENT 106
+#define CTE_QUAD4_QUAD4_COULOMB_CURRENT 107
 int32_t cte_quad4_quad4_coulomb_current(cte_arguments *arguments);
 
 /* Slave of any discretisation on a bilinear facet, Coulomb friction. */
-#define CTE_INTERPOLATED_QUAD4_COULOMB 107
+#define CTE_INTERPOLATED_QUAD4_COULOMB 108
 int32_t cte_interpolated_quad4_coulomb(cte_arguments *arguments);
 
 /* Slave of any discretisation on a placed rigid cylinder, Coulomb friction. */
-#define CTE_INTERPOLATED_CYLINDER_COULOMB 108
+#define CTE_INTERPOLATED_CYLINDER_COULOMB 109
 int32_t cte_interpolated_cylinder_coulomb(cte_arguments *arguments);
 
 /* Point against a bilinear facet, tied while in contact. */
-#define CTE_POINT_QUAD4_STICK 109
+#define CTE_POINT_QUAD4_STICK 110
 int32_t cte_point_quad4_stick(cte_arguments *arguments);
 
 /* Point against a bilinear facet, Coulomb friction with adhesion. */
-#define CTE_POINT_QUAD4_COULOMB_ADHESIVE 110
+#define CTE_POINT_QUAD4_COULOMB_ADHESIVE 111
 int32_t cte_point_quad4_coulomb_adhesive(cte_arguments *arguments);
 
 /* Point against a bilinear facet, static and kinetic friction. */
-#define CTE_POINT_QUAD4_COULOMB_STATIC_KINETIC 111
+#define CTE_POINT_QUAD4_COULOMB_STATIC_KINETIC 112
 int32_t cte_point_quad4_coulomb_static_kinetic(cte_arguments *arguments);
 
 /* Point against a bilinear facet, orthotropic friction along axes that the facet convects. */
-#define CTE_POINT_QUAD4_ORTHOTROPIC 112
+#define CTE_POINT_QUAD4_ORTHOTROPIC 113
 int32_t cte_point_quad4_orthotropic(cte_arguments *arguments);
 
 /* Point against a placed rigid plane, orthotropic friction along axes of the plane. */
-#define CTE_POINT_PLANE_ORTHOTROPIC 113
+#define CTE_POINT_PLANE_ORTHOTROPIC 114
 int32_t cte_point_plane_orthotropic(cte_arguments *arguments);
 
 /* Point against a bilinear facet, power law and Coulomb friction. */
-#define CTE_POINT_QUAD4_POWER_LAW_COULOMB 114
+#define CTE_POINT_QUAD4_POWER_LAW_COULOMB 115
 int32_t cte_point_quad4_power_law_coulomb(cte_arguments *arguments);
 
 /* Point against a bilinear facet, Coulomb friction on the tangent plane: exact at zero gap only. */
-#define CTE_POINT_QUAD4_COULOMB_TANGENT_PLANE 115
+#define CTE_POINT_QUAD4_COULOMB_TANGENT_PLANE 116
 int32_t cte_point_quad4_coulomb_tangent_plane(cte_arguments *arguments);
 
 /* Point against a bilinear facet, Coulomb friction, residual only. */
-#define CTE_POINT_QUAD4_COULOMB_RESIDUAL 116
+#define CTE_POINT_QUAD4_COULOMB_RESIDUAL 117
 int32_t cte_point_quad4_coulomb_residual(cte_arguments *arguments);
 
 /* Point against a straight segment in the plane, Coulomb friction. */
-#define CTE_POINT_LINE2_COULOMB2D 117
+#define CTE_POINT_LINE2_COULOMB2D 118
 int32_t cte_point_line2_coulomb2d(cte_arguments *arguments);
 
 /* Point against a quadratic curve in the plane, Coulomb friction. */
-#define CTE_POINT_LINE3_COULOMB2D 118
+#define CTE_POINT_LINE3_COULOMB2D 119
 int32_t cte_point_line3_coulomb2d(cte_arguments *arguments);
 
 /* Point against a placed rigid circle in the plane, Coulomb friction. */
-#define CTE_POINT_CIRCLE_COULOMB2D 119
+#define CTE_POINT_CIRCLE_COULOMB2D 120
 int32_t cte_point_circle_coulomb2d(cte_arguments *arguments);
 
 /* Straight segment on straight segment in the plane, Coulomb friction. */
-#define CTE_LINE2_LINE2_COULOMB2D 120
+#define CTE_LINE2_LINE2_COULOMB2D 121
 int32_t cte_line2_line2_coulomb2d(cte_arguments *arguments);
+
+/* Point against a bilinear facet, augmented by a multiplier of the history. */
+#define CTE_POINT_QUAD4_AUGMENTED 122
+int32_t cte_point_quad4_augmented(cte_arguments *arguments);
+
+/* Point against a bilinear facet, Coulomb friction, augmented by a multiplier of the history. */
+#define CTE_POINT_QUAD4_COULOMB_AUGMENTED 123
+int32_t cte_point_quad4_coulomb_augmented(cte_arguments *arguments);
+
+/* Two cubic Hermite beams, augmented by a multiplier of the history. */
+#define CTE_HERMITE_HERMITE_BEAMS_AUGMENTED 124
+int32_t cte_hermite_hermite_beams_augmented(cte_arguments *arguments);
+
+/* Bilinear facet on bilinear facet, Coulomb friction, augmented by multipliers of the history. */
+#define CTE_QUAD4_QUAD4_COULOMB_AUGMENTED 125
+int32_t cte_quad4_quad4_coulomb_augmented(cte_arguments *arguments);
+
+/* Bilinear facet on bilinear facet, traction per current area, augmented by multipliers of the history. */
+#define CTE_QUAD4_QUAD4_CURRENT_AUGMENTED 126
+int32_t cte_quad4_quad4_current_augmented(cte_arguments *arguments);
+
+/* A point of any discretisation against a placed rigid sphere, by its distance function, augmented by a multiplier */
+/* of the history. */
+#define CTE_INTERPOLATED_SPHERE_DISTANCE_AUGMENTED 127
+int32_t cte_interpolated_sphere_distance_augmented(cte_arguments *arguments);
+
+/* Point against a bilinear facet with a multiplier as unknown. */
+#define CTE_POINT_QUAD4_MULTIPLIER 128
+int32_t cte_point_quad4_multiplier(cte_arguments *arguments);
+
+/* Point against a bilinear facet, Coulomb friction, with a multiplier as unknown. */
+#define CTE_POINT_QUAD4_COULOMB_MULTIPLIER 129
+int32_t cte_point_quad4_coulomb_multiplier(cte_arguments *arguments);
+
+/* Point against a placed rigid cylinder, Coulomb friction, with a multiplier as unknown. */
+#define CTE_POINT_CYLINDER_COULOMB_MULTIPLIER 130
+int32_t cte_point_cylinder_coulomb_multiplier(cte_arguments *arguments);
+
+/* Two cubic Hermite beams with a multiplier as unknown. */
+#define CTE_HERMITE_HERMITE_BEAMS_MULTIPLIER 131
+int32_t cte_hermite_hermite_beams_multiplier(cte_arguments *arguments);
+
+/* Bilinear facet on bilinear facet with a multiplier as unknown at every integration point. */
+#define CTE_QUAD4_QUAD4_MULTIPLIER 132
+int32_t cte_quad4_quad4_multiplier(cte_arguments *arguments);
+
+/* Slave of any discretisation on a bilinear facet with a multiplier as unknown. */
+#define CTE_INTERPOLATED_QUAD4_MULTIPLIER 133
+int32_t cte_interpolated_quad4_multiplier(cte_arguments *arguments);
+
+/* Point against a straight segment in the plane, Coulomb friction, with a multiplier as unknown. */
+#define CTE_POINT_LINE2_COULOMB_MULTIPLIER2D 134
+int32_t cte_point_line2_coulomb_multiplier2d(cte_arguments *arguments);
 
 /* Hermite curve against Hermite curve (beams), Coulomb friction and rolling resistance: moments about both curves, */
 /* angles from their principal normals. */
-#define CTE_HERMITE_HERMITE_BEAMS_ROLLING 121
+#define CTE_HERMITE_HERMITE_BEAMS_ROLLING 135
 int32_t cte_hermite_hermite_beams_rolling(cte_arguments *arguments);
 
 /* Hermite curve against Hermite curve (beams), Coulomb friction and rolling resistance: angles from directors given at */
 /* run time. */
-#define CTE_HERMITE_HERMITE_BEAMS_ROLLING_DIRECTOR 122
+#define CTE_HERMITE_HERMITE_BEAMS_ROLLING_DIRECTOR 136
 int32_t cte_hermite_hermite_beams_rolling_director(cte_arguments *arguments);
 
 /* Straight segment against straight segment (beams), Coulomb friction and rolling resistance: angles from directors */
 /* given at run time. */
-#define CTE_LINE2_LINE2_BEAMS_ROLLING 123
+#define CTE_LINE2_LINE2_BEAMS_ROLLING 137
 int32_t cte_line2_line2_beams_rolling(cte_arguments *arguments);
 
 #ifdef __cplusplus

@@ -159,7 +159,11 @@ fn sizes() {
         println!("{what}: {} kB", size / 1000);
     }
     let size = std::fs::metadata(stripped).expect("a file").len();
-    assert!(size < 4_000_000, "{size} bytes without symbols");
+    let elements = contact_elements::elements::ELEMENTS.len() as u64;
+    assert!(
+        size < 30_000 * elements,
+        "{size} bytes without symbols for {elements} elements"
+    );
 }
 
 #[test]

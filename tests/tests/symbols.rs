@@ -103,7 +103,8 @@ fn printed(source: &Path, directory: &Path) -> String {
     let mut text = String::from("      PROGRAM INDICES\n      INCLUDE 'contact_elements.inc'\n");
     for name in names() {
         let name = symbol_name(&name).to_uppercase();
-        let _ = writeln!(text, "      WRITE (*, '(I0)') CTE_{name}");
+        // continued in a way that both forms read, as in the file itself
+        let _ = writeln!(text, "{:<72}&\n     &CTE_{name}", "      WRITE (*, '(I0)')");
     }
     text.push_str("      END\n");
     std::fs::write(source, text).expect("a file");

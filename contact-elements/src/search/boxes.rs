@@ -104,7 +104,10 @@ pub(super) struct Box {
 
 impl Box {
     pub(super) fn middle(&self) -> [f64; 2] {
-        let middle = [0, 1].map(|i| 0.5 * (self.lower[i] + self.upper[i]));
+        let middle = [0_usize, 1].map(|i| {
+            let i = i.min(1);
+            0.5 * (self.lower[i] + self.upper[i])
+        });
         if self.is_diagonal {
             [middle[0], 1.0 - middle[0]]
         } else {
@@ -204,6 +207,7 @@ impl<'a> Search<'a> {
     fn sample(&mut self, whole: &Box) {
         const SHARES: [f64; 4] = [0.08, 0.36, 0.64, 0.92];
         let near = |i: usize| {
+            let i = i.min(1);
             let is_far = whole.upper[i] - whole.lower[i] >= FAR;
             let (low, high) = if is_far {
                 (-4.0, 4.0)
@@ -314,7 +318,8 @@ impl<'a> Search<'a> {
 
     /// Widths relative to the extents; of unbounded parameters their own size.
     fn widths(&self, next: &Box) -> [f64; 2] {
-        [0, 1].map(|i| {
+        [0_usize, 1].map(|i| {
+            let i = i.min(1);
             let extent = self.extent(i);
             if extent > 0.0 && !(next.is_diagonal && i == 1) {
                 (next.upper[i] - next.lower[i]) / extent
@@ -325,6 +330,7 @@ impl<'a> Search<'a> {
     }
 
     fn extent(&self, i: usize) -> f64 {
+        let i = i.min(1);
         let extent = self.region.upper[i] - self.region.lower[i];
         if extent >= FAR { 1.0 } else { extent }
     }
@@ -397,8 +403,12 @@ impl<'a> Search<'a> {
 
     /// The sides of the domain that hold a foot: r·r falls beyond them, by more than rounding.
     fn outward(&self, foot: &Foot, local: &Local<f64>) -> [f64; 2] {
-        let slopes = [0, 1].map(|i| dot_plain(&local.r, &local.b[i]));
-        let rounding = |i: usize| 1e-12 * sqrt(square(&local.b[i])) * size(local, self.region.p);
+        let slopes = [0_usize, 1].map(|i| {
+            let i = i.min(1);
+            dot_plain(&local.r, &local.b[i])
+        });
+        let rounding =
+            |i: usize| 1e-12 * sqrt(square(&local.b[i.min(1)])) * size(local, self.region.p);
         let (low, high) = (self.region.lower, self.region.upper);
         let slack = |i: usize| 1e-12 * self.extent(i);
         let diagonal = self.region.triangle
@@ -413,6 +423,7 @@ impl<'a> Search<'a> {
             if i >= self.region.p {
                 return 0.0;
             }
+            let i = i.min(1);
             let slope = slopes[i] - mean;
             let below = foot.zeta[i] <= low[i] + slack(i) && slope > rounding(i);
             let above = foot.zeta[i] >= high[i] - slack(i) && slope < -rounding(i) && !diagonal;

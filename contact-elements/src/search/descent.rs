@@ -88,8 +88,12 @@ fn newton(sides: &Sides<'_>, start: [f64; 2], within: &Box) -> ([f64; 2], u32) {
     let mut zeta = start;
     let mut local = sides.at(&zeta);
     for step in 1..=MOST_STEPS {
-        let slopes = [0, 1].map(|i| dot(&local.r, &local.b[i]));
-        let free = [0, 1].map(|i| {
+        let slopes = [0_usize, 1].map(|i| {
+            let i = i.min(1);
+            dot(&local.r, &local.b[i])
+        });
+        let free = [0_usize, 1].map(|i| {
+            let i = i.min(1);
             let below = zeta[i] <= within.lower[i] && slopes[i] >= 0.0;
             let above = zeta[i] >= within.upper[i] && slopes[i] <= 0.0;
             !(below || above)
@@ -114,7 +118,10 @@ fn direction(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2]
         };
         guarded(-slope, divisor, divisor > 1e-100)
     };
-    let metric = [0, 1].map(|i| dot(&local.b[i], &local.b[i]));
+    let metric = [0_usize, 1].map(|i| {
+        let i = i.min(1);
+        dot(&local.b[i], &local.b[i])
+    });
     let each = [
         alone(slopes[0], f11, metric[0]),
         alone(slopes[1], f22, metric[1]),

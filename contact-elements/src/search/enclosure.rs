@@ -1,5 +1,7 @@
 //! What is known of ½ r·r over a box: bounds of its value, its slopes and its curvature. [eq:box-bounds]
 
+// min(1), min(2): an index that the compiler does not see through would be a panicking path
+
 use super::boxes::Box;
 use super::descent::square;
 use super::interval::{Interval, Scratch};
@@ -25,11 +27,17 @@ pub(super) struct Enclosure {
 
 impl Enclosure {
     pub(super) fn new(sides: &Sides<'_>, next: &Box, p: usize, scratch: &mut Scratch) -> Self {
-        let ranges = [0, 1].map(|i| Interval::between(next.lower[i], next.upper[i]));
+        let ranges = [0_usize, 1].map(|i| {
+            let i = i.min(1);
+            Interval::between(next.lower[i], next.upper[i])
+        });
         let middle = next.middle();
         let mut over = sides.over(&ranges, scratch);
         let mut centre = sides.at(&middle);
-        let mut way = [0, 1].map(|i| ranges[i].subtract(Interval::exactly(middle[i])));
+        let mut way = [0_usize, 1].map(|i| {
+            let i = i.min(1);
+            ranges[i].subtract(Interval::exactly(middle[i]))
+        });
         let mut axes = p;
         if next.is_diagonal {
             over = along_diagonal(&over, Interval::subtract, |a| a.times(2.0));
@@ -39,8 +47,10 @@ impl Enclosure {
         }
         let noise = NOISE * size(&centre, axes);
         refine(&mut over, &centre, &way, axes, noise);
-        let f =
-            |i: usize, j: usize| dot(&over.b[i], &over.b[j]).add(dot(&over.r, &over.second[i + j]));
+        let f = |i: usize, j: usize| {
+            dot(&over.b[i.min(1)], &over.b[j.min(1)])
+                .add(dot(&over.r, &over.second[(i + j).min(2)]))
+        };
         let curvature = [f(0, 0), f(0, 1), f(1, 1)];
         let slopes = slopes(&over, &centre, &way, &curvature, axes);
         let least = least(&over, &centre, &way, &curvature, axes);
@@ -76,14 +86,18 @@ fn along_diagonal<T: Copy>(
 ) -> Local<T> {
     let [first, mixed, last] = local.second;
     let zero = local.r.map(|r| minus(r, r));
-    let bend =
-        core::array::from_fn(|k| minus(minus(first[k], twice(mixed[k])), minus(zero[k], last[k])));
+    let bend = |k: usize| {
+        let k = k.min(2);
+        minus(minus(first[k], twice(mixed[k])), minus(zero[k], last[k]))
+    };
+    let along = |k: usize| {
+        let k = k.min(2);
+        minus(local.b[0][k], local.b[1][k])
+    };
+    let bend = [bend(0), bend(1), bend(2)];
     Local {
         r: local.r,
-        b: [
-            core::array::from_fn(|k| minus(local.b[0][k], local.b[1][k])),
-            zero,
-        ],
+        b: [[along(0), along(1), along(2)], zero],
         second: [bend, zero, zero],
     }
 }
@@ -125,6 +139,7 @@ fn slopes(
 ) -> [Interval; 2] {
     let mut slopes = [Interval::ZERO; 2];
     for (i, slope) in slopes.iter_mut().enumerate().take(axes) {
+        let i = i.min(1);
         let mut mean = slope_at(centre, i, axes);
         for j in (0..2).take(axes) {
             mean = mean.add(curvature[i + j].multiply(way[j]));
@@ -138,7 +153,7 @@ fn slopes(
 fn slope_at(centre: &Local<f64>, i: usize, axes: usize) -> Interval {
     let value = dot(
         &centre.r.map(Interval::exactly),
-        &centre.b[i].map(Interval::exactly),
+        &centre.b[i.min(1)].map(Interval::exactly),
     );
     let noise = NOISE * size(centre, axes) * size(centre, axes);
     value.add(Interval::between(-noise, noise))

@@ -165,7 +165,7 @@ fn advance(
         let after = square(&candidate.r);
         // near the minimum r·r is flat to rounding: steps of Newton's method still improve ζ
         if after < before || (factor == 1.0 && after <= before * (1.0 + 4.0 * f64::EPSILON)) {
-            let moved = !last && after < before * (1.0 - 1e-30) || !last && after < before;
+            let moved = !last && after < before;
             (*zeta, *local) = (trial, candidate);
             return moved;
         }

@@ -51,12 +51,12 @@ impl Interval {
             }
         } else {
             Self {
-                lower: if lower >= -HUGE && lower <= HUGE {
+                lower: if (-HUGE..=HUGE).contains(&lower) {
                     lower.next_down()
                 } else {
                     -HUGE
                 },
-                upper: if upper >= -HUGE && upper <= HUGE {
+                upper: if (-HUGE..=HUGE).contains(&upper) {
                     upper.next_up()
                 } else {
                     HUGE
@@ -183,7 +183,7 @@ impl Interval {
     }
 
     fn exp(self) -> Self {
-        let exp = |value: f64| arithmetic::exp(value.max(-345.0).min(345.0));
+        let exp = |value: f64| arithmetic::exp(value.clamp(-345.0, 345.0));
         let value = Self::elementary(exp(self.lower), exp(self.upper));
         Self {
             lower: if self.lower < -345.0 {

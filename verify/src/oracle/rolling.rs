@@ -195,6 +195,7 @@ where
 }
 
 #[cfg(test)]
+#[allow(clippy::excessive_precision)] // 25 digits, as they were computed
 mod tests {
     use super::*;
     use crate::oracle::geometry::{Interpolation, Shape};

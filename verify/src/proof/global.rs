@@ -59,7 +59,7 @@ pub fn prove(subject: &Subject, states: u64, compared: u64, seed: u64) -> Option
         return None;
     }
     let generator = super::random::generator(subject, seed);
-    let one = |index: u64| one(subject, &generator, index, index % compared == 0);
+    let one = |index: u64| one(subject, &generator, index, index.is_multiple_of(compared));
     let all = (0..states).into_par_iter().map(one);
     Some(all.reduce(Global::default, Global::merge))
 }

@@ -320,11 +320,11 @@ impl<'a> Search<'a> {
     fn widths(&self, next: &Box) -> [f64; 2] {
         [0_usize, 1].map(|i| {
             let i = i.min(1);
-            let extent = self.extent(i);
-            if extent > 0.0 && !(next.is_diagonal && i == 1) {
-                (next.upper[i] - next.lower[i]) / extent
-            } else {
+            let width = (next.upper[i] - next.lower[i]) / self.extent(i);
+            if next.is_diagonal && i == 1 {
                 0.0
+            } else {
+                width
             }
         })
     }
@@ -332,7 +332,12 @@ impl<'a> Search<'a> {
     fn extent(&self, i: usize) -> f64 {
         let i = i.min(1);
         let extent = self.region.upper[i] - self.region.lower[i];
-        if extent >= FAR { 1.0 } else { extent }
+        // never zero: what is divided by it may be divided before anyone looks
+        if extent > 0.0 && extent < FAR {
+            extent
+        } else {
+            1.0
+        }
     }
 
     /// Keeps the nearer of two feet.

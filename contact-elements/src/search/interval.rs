@@ -134,7 +134,9 @@ impl Interval {
         if other.least_magnitude() < 1.0 / HUGE {
             return Self::WHOLE;
         }
-        let inverse = Self::outward(1.0 / other.upper, 1.0 / other.lower);
+        let can = other.least_magnitude() >= 1.0 / HUGE;
+        let safe = |value: f64| if can { value } else { 1.0 };
+        let inverse = Self::outward(1.0 / safe(other.upper), 1.0 / safe(other.lower));
         self.multiply(inverse)
     }
 

@@ -14,6 +14,7 @@ pub mod fortran;
 mod messages;
 mod project;
 mod safe;
+mod sides;
 mod sizes;
 mod target;
 mod transfer;

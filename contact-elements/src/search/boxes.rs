@@ -1,6 +1,6 @@
 //! Branch and bound over boxes of parameters.
 
-use super::descent::{Foot, definiteness, least_in_box, square};
+use super::descent::{Foot, definiteness, dot, least_in_box, square};
 use super::enclosure::{Enclosure, size};
 use super::interval::{Interval, MOST_OPERATIONS, Scratch};
 use super::sides::{Local, Sides};
@@ -203,38 +203,28 @@ impl<'a> Search<'a> {
         self.finish()
     }
 
-    /// A foot to begin with: Newton's method from the best of a few points.
+    /// A distance to begin with: the least of a few points.
     fn sample(&mut self, whole: &Box) {
         const SHARES: [f64; 4] = [0.08, 0.36, 0.64, 0.92];
-        let near = |i: usize| {
-            let i = i.min(1);
-            let is_far = whole.upper[i] - whole.lower[i] >= FAR;
-            let (low, high) = if is_far {
-                (-4.0, 4.0)
-            } else {
-                (whole.lower[i], whole.upper[i])
+        let near = |lower: f64, upper: f64| {
+            let (low, high) = match upper - lower >= FAR {
+                true => (-4.0, 4.0),
+                false => (lower, upper),
             };
-            SHARES.map(|share| {
-                (low + share * (high - low))
-                    .max(whole.lower[i])
-                    .min(whole.upper[i])
-            })
+            SHARES.map(|share| (low + share * (high - low)).max(lower).min(upper))
         };
-        let mut start = (f64::MAX, whole.lower);
-        for first in near(0) {
-            for last in near(1) {
+        let mut least = f64::MAX;
+        for first in near(whole.lower[0], whole.upper[0]) {
+            for last in near(whole.lower[1], whole.upper[1]) {
                 let last = match self.region.triangle {
                     true => last * (1.0 - first),
                     false => last,
                 };
-                let distance = square(&self.sides.at(&[first, last]).r);
-                if distance < start.0 {
-                    start = (distance, [first, last]);
-                }
+                least = least.min(square(&self.sides.at(&[first, last]).r));
             }
         }
         // nothing farther than this point is looked at
-        self.best = self.best.min(start.0 * (1.0 + SAME));
+        self.best = self.best.min(least * (1.0 + SAME));
     }
 
     fn push(&mut self, next: Box) {
@@ -364,12 +354,14 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Two feet are two points in space: not the same one of a closed curve.
+    /// Two feet are two points of the slave or of the master: not the same one of a closed curve.
     fn are_apart(&self, a: &Foot, b: &Foot) -> bool {
-        let (first, last) = (self.sides.at(&a.zeta), self.sides.at(&b.zeta));
-        let difference = core::array::from_fn(|k| first.r[k] - last.r[k]);
-        let size = size(&first, self.region.p);
-        self.region.own == 1 || square(&difference) > NEAR * NEAR * size * size
+        let size = size(&self.sides.at(&a.zeta), self.region.p);
+        let (first, last) = (self.sides.positions(&a.zeta), self.sides.positions(&b.zeta));
+        first.iter().zip(last).any(|(first, last)| {
+            let difference = [first[0] - last[0], first[1] - last[1], first[2] - last[2]];
+            square(&difference) > NEAR * NEAR * size * size
+        })
     }
 
     fn finish(self) -> Closest {
@@ -410,7 +402,7 @@ impl<'a> Search<'a> {
     fn outward(&self, foot: &Foot, local: &Local<f64>) -> [f64; 2] {
         let slopes = [0_usize, 1].map(|i| {
             let i = i.min(1);
-            dot_plain(&local.r, &local.b[i])
+            dot(&local.r, &local.b[i])
         });
         let rounding =
             |i: usize| 1e-12 * sqrt(square(&local.b[i.min(1)])) * size(local, self.region.p);
@@ -435,8 +427,4 @@ impl<'a> Search<'a> {
             f64::from(u8::from(above || diagonal)) - f64::from(u8::from(below))
         })
     }
-}
-
-fn dot_plain(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -21,7 +21,7 @@ pub(super) fn square(v: &[f64; 3]) -> f64 {
     v[0] * v[0] + v[1] * v[1] + v[2] * v[2]
 }
 
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+pub(super) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -32,10 +32,11 @@ fn curvature(local: &Local<f64>) -> [f64; 3] {
     [f(0, 0), f(0, 1), f(1, 1)]
 }
 
-/// a/b where that can be formed, else 0: no branch may divide by what it has not looked at.
-fn guarded(a: f64, b: f64, can: bool) -> f64 {
-    let quotient = a / if can { b } else { 1.0 };
-    if can { quotient } else { 0.0 }
+/// a/b, its size limited to 1e30. Every quotient of the search is formed so: the compiler may divide before a branch
+/// has looked at the divisor, and hosts run with traps for what is invalid or overflows.
+fn quotient(a: f64, b: f64) -> f64 {
+    let least = 1e-30 * abs(a) + 1e-200;
+    a / abs(b).max(least).copysign(b)
 }
 
 /// Least eigenvalue of a⁻¹F; 1 without parameters, 0 where the tangents are parallel. [eq:admissible]
@@ -48,7 +49,7 @@ pub(super) fn definiteness(local: &Local<f64>, p: usize) -> f64 {
     );
     match p {
         0 => 1.0,
-        1 => guarded(f11, a11, a11 > 1e-60),
+        1 if a11 > 1e-60 => quotient(f11, a11),
         2 => {
             // det(F − λ a) = det a λ² − 2 h λ + det F
             let (a, f) = (a11 * a22 - a12 * a12, f11 * f22 - f12 * f12);
@@ -58,9 +59,9 @@ pub(super) fn definiteness(local: &Local<f64>, p: usize) -> f64 {
             let h = 0.5 * (a11 * f22 + a22 * f11) - a12 * f12;
             let root = sqrt((h * h - a * f).max(0.0));
             if h > 0.0 {
-                guarded(f, h + root, h > 0.0)
+                quotient(f, h + root)
             } else {
-                guarded(h - root, a, true)
+                quotient(h - root, a)
             }
         }
         _ => 0.0,
@@ -116,7 +117,11 @@ fn direction(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2]
         } else {
             metric
         };
-        guarded(-slope, divisor, divisor > 1e-100)
+        if divisor > 1e-100 {
+            quotient(-slope, divisor)
+        } else {
+            0.0
+        }
     };
     let metric = [0_usize, 1].map(|i| {
         let i = i.min(1);
@@ -130,8 +135,8 @@ fn direction(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2]
     let is_regular = determinant > 1e-15 * f11 * f22 && f11 > 0.0 && determinant > 1e-200;
     match free {
         [true, true] if is_regular => [
-            guarded(f12 * slopes[1] - f22 * slopes[0], determinant, is_regular),
-            guarded(f12 * slopes[0] - f11 * slopes[1], determinant, is_regular),
+            quotient(f12 * slopes[1] - f22 * slopes[0], determinant),
+            quotient(f12 * slopes[0] - f11 * slopes[1], determinant),
         ],
         [first, last] => [
             if first { each[0] } else { 0.0 },
@@ -197,9 +202,8 @@ fn on_diagonal(sides: &Sides<'_>, within: &Box) -> ([f64; 2], u32) {
         } else {
             low = t;
         }
-        let can = curvature > 1e-100;
-        let wanted = if can {
-            t - guarded(slope, curvature, can)
+        let wanted = if curvature > 1e-100 {
+            t - quotient(slope, curvature)
         } else {
             low
         };

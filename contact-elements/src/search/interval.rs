@@ -134,9 +134,9 @@ impl Interval {
         if other.least_magnitude() < 1.0 / HUGE {
             return Self::WHOLE;
         }
-        let can = other.least_magnitude() >= 1.0 / HUGE;
-        let safe = |value: f64| if can { value } else { 1.0 };
-        let inverse = Self::outward(1.0 / safe(other.upper), 1.0 / safe(other.lower));
+        // limited, though it is large enough here: the compiler may divide before the branch above
+        let bounded = |value: f64| arithmetic::abs(value).max(1.0 / HUGE).copysign(value);
+        let inverse = Self::outward(1.0 / bounded(other.upper), 1.0 / bounded(other.lower));
         self.multiply(inverse)
     }
 

@@ -242,6 +242,12 @@ impl Sides<'_> {
         self.relative(self.slave.at(own), self.master.at(other))
     }
 
+    /// Positions on slave and master.
+    pub(super) fn positions(&self, zeta: &[f64; 2]) -> [Vector; 2] {
+        let (own, other) = zeta.split_at(self.slave.parameters().min(2));
+        [self.slave.at(own).r, self.master.at(other).r]
+    }
+
     /// r and its derivatives over a box.
     pub(super) fn over(&self, zeta: &[Interval; 2], scratch: &mut Scratch) -> Local<Interval> {
         let (own, other) = zeta.split_at(self.slave.parameters().min(2));

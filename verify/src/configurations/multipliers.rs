@@ -46,7 +46,8 @@ fn plain(configuration: &Configuration) -> Option<Vec<f64>> {
     Some(reports.iter().map(|point| point.gap).collect())
 }
 
-/// One multiplier beside a law that gives `force` alone. Never positive where it is held.
+/// One multiplier beside a law that gives `force` alone. Never positive where it is held; where it pulls, a fifth of
+/// the law's force remains, so that the sum keeps the digits of the gap.
 fn draw(
     force: f64,
     largest: f64,
@@ -66,7 +67,7 @@ fn draw(
     }
     match stream.index(3) {
         0 => 0.0,
-        1 if unknown => largest * stream.uniform(0.0, 0.8),
+        1 if unknown => (-force).max(0.0) * stream.uniform(0.0, 0.8),
         _ => -largest * stream.log_uniform(1e-3, 3.0),
     }
 }

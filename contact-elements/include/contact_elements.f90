@@ -45,6 +45,8 @@ module contact_elements
   integer(i4), parameter :: CTE_ARGUMENT_FROM_HISTORY = 28, CTE_ARGUMENT_TO = 29
   integer(i4), parameter :: CTE_ARGUMENT_TO_OUTPUT = 30, CTE_ARGUMENT_TO_HISTORY = 31
   integer(i4), parameter :: CTE_ARGUMENT_REACH = 32, CTE_ARGUMENT_RESULT = 33
+  integer(i4), parameter :: CTE_ARGUMENT_PATCH = 34, CTE_ARGUMENT_FACETS = 35, CTE_ARGUMENT_FACET = 36
+  integer(i4), parameter :: CTE_ARGUMENT_EDGE = 37, CTE_ARGUMENT_VERTEX = 38
 
   ! Request bits
   integer(i4), parameter :: CTE_RESIDUAL = 1, CTE_TANGENT = 2, CTE_HISTORY = 4, CTE_OUTPUT = 8
@@ -190,6 +192,20 @@ module contact_elements
     integer(c_int32_t) :: steps = 0
   end type cte_projection
 
+  ! Facets that share edges and vertices
+  type, bind(c) :: cte_patch
+    integer(c_int32_t) :: struct_size = 0
+    integer(c_int32_t) :: slave_points = 0
+    integer(c_int32_t) :: master_nodes = 0
+    integer(c_int32_t) :: facets = 0
+    type(c_ptr) :: facet = c_null_ptr
+    type(c_ptr) :: edge = c_null_ptr
+    type(c_ptr) :: vertex = c_null_ptr
+    type(c_ptr) :: connectivity = c_null_ptr
+    real(c_double) :: reach = 0
+    integer(c_int64_t) :: reserved(8) = 0
+  end type cte_patch
+
   ! The functions below in one table; c_f_procpointer makes procedure pointers of the entries
   type, bind(c) :: cte_api_table
     integer(c_int32_t) :: struct_size = 0
@@ -213,6 +229,8 @@ module contact_elements
     type(c_funptr) :: history_transfer = c_null_funptr
     type(c_funptr) :: history_augment = c_null_funptr
     type(c_funptr) :: element_project = c_null_funptr
+    type(c_funptr) :: patch_info = c_null_funptr
+    type(c_funptr) :: patch_evaluate = c_null_funptr
   end type cte_api_table
 
   interface
@@ -316,6 +334,21 @@ module contact_elements
       type(cte_projection), intent(inout) :: result(*)
       integer(i4) :: code
     end function cte_element_project
+
+    function cte_patch_info(patch, info, argument) bind(c, name='cte_patch_info') result(code)
+      import :: i4, cte_patch, cte_info
+      type(cte_patch), intent(in) :: patch
+      type(cte_info), intent(inout) :: info
+      integer(i4), intent(out) :: argument
+      integer(i4) :: code
+    end function cte_patch_info
+
+    function cte_patch_evaluate(patch, arguments) bind(c, name='cte_patch_evaluate') result(code)
+      import :: i4, cte_patch, cte_arguments
+      type(cte_patch), intent(in) :: patch
+      type(cte_arguments), intent(inout) :: arguments
+      integer(i4) :: code
+    end function cte_patch_evaluate
 
     function cte_element_evaluate(element, arguments) bind(c, name='cte_element_evaluate') result(code)
       import :: i4, c_ptr, cte_arguments

@@ -64,7 +64,8 @@ extern "C" {
                                     * negative path, no regime, an angle beyond 1000 rad, a positive multiplier;
                                     * cte_history_transfer: or not that of the output */
 #define CTE_ERROR_ELEMENT (-13)    /* cte_history_transfer: nothing to carry, or another kind of element;
-                                    * cte_history_augment: no multiplier in the history */
+                                    * cte_history_augment: no multiplier in the history;
+                                    * cte_patch: an element that cannot be the patch's facet, edge or vertex */
 
 /* ------------------------------------------------------------------ arguments named by errors
  * error_index: the node for X and U (as counted in the call); the parameter for PARAMETERS; the bit number
@@ -104,6 +105,11 @@ extern "C" {
 #define CTE_ARGUMENT_TO_HISTORY 31
 #define CTE_ARGUMENT_REACH 32 /* those of cte_element_project */
 #define CTE_ARGUMENT_RESULT 33
+#define CTE_ARGUMENT_PATCH 34 /* those of cte_patch */
+#define CTE_ARGUMENT_FACETS 35
+#define CTE_ARGUMENT_FACET 36
+#define CTE_ARGUMENT_EDGE 37
+#define CTE_ARGUMENT_VERTEX 38
 
 /* ------------------------------------------------------------------ what is wanted: request bits */
 #define CTE_RESIDUAL 1u        /* write f */
@@ -366,6 +372,38 @@ typedef struct cte_projection {
   int32_t steps;       /* Newton steps, all together */
 } cte_projection;
 
+/* ------------------------------------------------------------------ cte_patch: facets that share edges and vertices
+ * Each slave point takes part in one pair, that of the closest point of the whole patch: with a facet, or with the edge
+ * or the vertex that several facets share. Force and energy are continuous where the pair changes; the search is part
+ * of the call. Elements, all of one dimension and normal law, penalty without friction, slave: point:
+ *   facet   a surface (3D) or a curve (2D, 3D): PointQuad4, PointTri6, PointLine2In2d, PointLine2 ...
+ *   edge    surfaces: the curve that bounds the facet (checked: its shape functions are the facet's on each edge), with
+ *           gap: oriented: PointLine2Oriented for PointQuad4 and PointTri3, PointLine3Oriented for PointQuad9 and
+ *           PointTri6 ... null: beyond an edge the point is outside, as with the facet alone
+ *   vertex  PointPointOriented, PointPointOriented2d; PointPoint for curves in 3D. null: likewise
+ * Where two facets share an edge they run along it in opposite directions: all normals point to the same side. Inside
+ * the body (negative side of the facets that meet, by the sum of their normals times their angles) the gap to an edge or
+ * vertex is -|r| - r0, outside and at the rim of the patch |r| - r0.
+ *
+ * In cte_arguments: nnode (0 or all), x, u [slave_points + master_nodes] nodes, slave points first; parameters: those
+ * of the facet (law, r0, orientation), then for rational facets a weight per master node; hist_old may be null;
+ * f, k, unknown_map: of all nodes; output: one row per slave point, projection and feature those on the facet;
+ * workspace: cte_info.workspace. Request bits: cte_info.requests. FREEZE_STATE keeps open and closed, not the pair.
+ * History, 5 entries per slave point: status, number of the facet from 1 (0: none), feature, two parameters; all 0 to
+ * begin with. Of equally near facets that of the history is taken. CTE_CUT_BACK: error_index is the slave point. */
+typedef struct cte_patch {
+  uint32_t struct_size; /* sizeof(cte_patch) */
+  int32_t slave_points;
+  int32_t master_nodes;
+  int32_t facets;
+  const cte_element *facet;
+  const cte_element *edge;     /* null: no transition to edges */
+  const cte_element *vertex;   /* null: no transition to vertices */
+  const int32_t *connectivity; /* [facets][facet's master nodes]: master nodes, from 0 */
+  double reach;                /* nothing farther is looked for [length]; 0: no limit */
+  uint64_t reserved[8];
+} cte_patch;
+
 /* ------------------------------------------------------------------ functions */
 
 /* Version of the interface of the library in use: major << 16 | minor. */
@@ -444,6 +482,15 @@ int32_t cte_history_augment(const cte_element *element, const double *trial, dou
 int32_t cte_element_project(const cte_element *element, cte_arguments *arguments, double reach, cte_projection *result,
                             double *history);
 
+/* Sizes of a patch's call, as cte_element_info: points and slave_nodes are its slave points. argument (may be null): what
+ * is wrong, CTE_ARGUMENT_*. CTE_ERROR_NULL, _STRUCT_SIZE, _NODE_COUNT, _INDEX (connectivity), _NOT_FINITE (reach),
+ * CTE_ERROR_ELEMENT: not the facet's edge or vertex. */
+int32_t cte_patch_info(const cte_patch *patch, cte_info *info, int32_t *argument);
+
+/* Evaluates a patch. Codes and the scalars at the end of *arguments as cte_element_evaluate; on anything but 0 nothing
+ * else is written but the workspace. Time: the search looks at every facet for every slave point. */
+int32_t cte_patch_evaluate(const cte_patch *patch, cte_arguments *arguments);
+
 /* Evaluates one element. The scalars at the end of *arguments (dt_ratio .. error_index) are written always
  * but when arguments is null or its struct_size too small; a null element is CTE_ARGUMENT_ELEMENT. */
 int32_t cte_element_evaluate(const cte_element *element, cte_arguments *arguments);
@@ -501,6 +548,8 @@ typedef struct cte_api_table {
                               double *, int32_t *);
   int32_t (*history_augment)(const cte_element *, const double *, double *, int32_t *);
   int32_t (*element_project)(const cte_element *, cte_arguments *, double, cte_projection *, double *);
+  int32_t (*patch_info)(const cte_patch *, cte_info *, int32_t *);
+  int32_t (*patch_evaluate)(const cte_patch *, cte_arguments *);
 } cte_api_table;
 
 /* Fills *table. major: CTE_VERSION_MAJOR of this header. CTE_ERROR_VERSION when the library's differs. */

@@ -8,5 +8,6 @@ void bad_batches(void); /* batches and their scatter map */
 void bad_friction(void); /* frictional elements and the transfer of their history */
 void bad_multipliers(void); /* elements with multipliers, unknown or of the history */
 void bad_project(void); /* global projections */
+void bad_patch(void); /* facets with their edges and vertices */
 
 #endif

@@ -359,6 +359,7 @@ int main(void)
   bad_friction();
   bad_multipliers();
   bad_project();
+  bad_patch();
   printf("%s bad_input, %d failures\n", client_failures ? "FAIL" : "PASS", client_failures);
   return client_failures ? 1 : 0;
 }

@@ -15,6 +15,7 @@ program bad_input
   use bad_friction, only: bad_friction_run
   use bad_multipliers, only: bad_multipliers_run
   use bad_project, only: bad_project_run
+  use bad_patch, only: bad_patch_run
   implicit none
   type(bench), save, target :: b
   call null_pointers()
@@ -34,6 +35,7 @@ program bad_input
   call bad_friction_run()
   call bad_multipliers_run()
   call bad_project_run()
+  call bad_patch_run()
   print '(2a,i0,a)', merge('PASS', 'FAIL', client_failures == 0), ' bad_input, ', client_failures, ' failures'
   if (client_failures /= 0) stop 1
 

@@ -26,6 +26,7 @@ int main(void)
   interface_multiplier_batch();
   interface_augmented();
   interface_project();
+  interface_patch();
   printf("%s interface, %d failures\n", client_failures ? "FAIL" : "PASS", client_failures);
   return client_failures ? 1 : 0;
 }

@@ -17,6 +17,7 @@ program interface_client
   use interface_multiplier_batch, only: interface_multiplier_batch_run
   use interface_augmented, only: interface_augmented_run
   use interface_project, only: interface_project_run
+  use interface_patch, only: interface_patch_run
   implicit none
   call interface_layout_run()
   call interface_constants_run()
@@ -30,6 +31,7 @@ program interface_client
   call interface_multiplier_batch_run()
   call interface_augmented_run()
   call interface_project_run()
+  call interface_patch_run()
   print '(2a,i0,a)', merge('PASS', 'FAIL', client_failures == 0), ' interface, ', client_failures, ' failures'
   if (client_failures /= 0) stop 1
 end program interface_client

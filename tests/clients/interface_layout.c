@@ -90,6 +90,16 @@ static void layout_projection(void)
   layout("layout of cte_projection, bytes:", sizeof(cte_projection), 48, fields, sizeof fields / sizeof fields[0]);
 }
 
+static void layout_patch(void)
+{
+  static const field fields[] = {
+      FIELD(cte_patch, struct_size, 0), FIELD(cte_patch, slave_points, 4), FIELD(cte_patch, master_nodes, 8),
+      FIELD(cte_patch, facets, 12), FIELD(cte_patch, facet, 16), FIELD(cte_patch, edge, 24),
+      FIELD(cte_patch, vertex, 32), FIELD(cte_patch, connectivity, 40), FIELD(cte_patch, reach, 48),
+      FIELD(cte_patch, reserved, 56)};
+  layout("layout of cte_patch, bytes:", sizeof(cte_patch), 120, fields, sizeof fields / sizeof fields[0]);
+}
+
 static void layout_api_table(void)
 {
   static const field fields[] = {
@@ -103,8 +113,9 @@ static void layout_api_table(void)
       FIELD(cte_api_table, code_message, 104), FIELD(cte_api_table, status_message, 112),
       FIELD(cte_api_table, argument_name, 120), FIELD(cte_api_table, element_message, 128),
       FIELD(cte_api_table, history_transfer, 136), FIELD(cte_api_table, history_augment, 144),
-      FIELD(cte_api_table, element_project, 152)};
-  layout("layout of cte_api_table, bytes:", sizeof(cte_api_table), 160, fields, sizeof fields / sizeof fields[0]);
+      FIELD(cte_api_table, element_project, 152), FIELD(cte_api_table, patch_info, 160),
+      FIELD(cte_api_table, patch_evaluate, 168)};
+  layout("layout of cte_api_table, bytes:", sizeof(cte_api_table), 176, fields, sizeof fields / sizeof fields[0]);
 }
 
 void interface_layout(void)
@@ -113,5 +124,6 @@ void interface_layout(void)
   layout_arguments();
   layout_batch();
   layout_projection();
+  layout_patch();
   layout_api_table();
 }

@@ -165,6 +165,22 @@ contains
     call finish('cte_projection', int(c_sizeof(v), i8), 48)
   end subroutine layout_projection
 
+  subroutine layout_patch()
+    type(cte_patch), target :: v
+    call begin(c_loc(v))
+    call field('struct_size', c_loc(v%struct_size), 0)
+    call field('slave_points', c_loc(v%slave_points), 4)
+    call field('master_nodes', c_loc(v%master_nodes), 8)
+    call field('facets', c_loc(v%facets), 12)
+    call field('facet', c_loc(v%facet), 16)
+    call field('edge', c_loc(v%edge), 24)
+    call field('vertex', c_loc(v%vertex), 32)
+    call field('connectivity', c_loc(v%connectivity), 40)
+    call field('reach', c_loc(v%reach), 48)
+    call field('reserved', c_loc(v%reserved), 56)
+    call finish('cte_patch', int(c_sizeof(v), i8), 120)
+  end subroutine layout_patch
+
   subroutine layout_api_table()
     type(cte_api_table), target :: v
     call begin(c_loc(v))
@@ -189,7 +205,9 @@ contains
     call field('history_transfer', c_loc(v%history_transfer), 136)
     call field('history_augment', c_loc(v%history_augment), 144)
     call field('element_project', c_loc(v%element_project), 152)
-    call finish('cte_api_table', int(c_sizeof(v), i8), 160)
+    call field('patch_info', c_loc(v%patch_info), 160)
+    call field('patch_evaluate', c_loc(v%patch_evaluate), 168)
+    call finish('cte_api_table', int(c_sizeof(v), i8), 176)
   end subroutine layout_api_table
 
   subroutine interface_layout_run()
@@ -197,6 +215,7 @@ contains
     call layout_arguments()
     call layout_batch()
     call layout_projection()
+    call layout_patch()
     call layout_api_table()
   end subroutine interface_layout_run
 

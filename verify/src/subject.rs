@@ -64,10 +64,10 @@ impl Subject {
             dimension,
             slave: slave(description)?,
             master: master(description)?,
-            gap: if description.signed {
-                GapKind::Signed
-            } else {
-                GapKind::Distance
+            gap: match description.descriptor.layout.orientation {
+                _ if description.signed => GapKind::Signed,
+                Some(_) => GapKind::Oriented,
+                None => GapKind::Distance,
             },
             orientation: 1.0,
             r0: 0.0,
@@ -110,7 +110,7 @@ impl Subject {
             list.extend(parameters_of_tangential(&rolling.law, own));
         }
         list.push(pair.r0);
-        if self.description.signed {
+        if self.description.layout.orientation.is_some() {
             list.push(pair.orientation);
         }
         list.extend(self.parameters_of_rigid(&pair.master));

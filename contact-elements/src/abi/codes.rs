@@ -57,6 +57,11 @@ pub mod argument {
     pub const TO_HISTORY: i32 = 31;
     pub const REACH: i32 = 32;
     pub const RESULT: i32 = 33;
+    pub const PATCH: i32 = 34;
+    pub const FACETS: i32 = 35;
+    pub const FACET: i32 = 36;
+    pub const EDGE: i32 = 37;
+    pub const VERTEX: i32 = 38;
 }
 
 /// Request bits.

@@ -206,12 +206,7 @@ pub(super) fn bad_parameter(element: &Descriptor, values: &[f64]) -> Option<(i32
         if !crate::runtime::is_usable(value) {
             return Some((code::NOT_FINITE, index));
         }
-        let inside = if parameter.closed {
-            value >= parameter.lower && value <= parameter.upper
-        } else {
-            value > parameter.lower && value < parameter.upper
-        };
-        if !inside {
+        if !parameter.allows(value) {
             return Some((code::PARAMETER, index));
         }
     }

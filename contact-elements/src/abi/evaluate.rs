@@ -362,7 +362,7 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
 ///
 /// # Safety
 /// `map` is null or has `unknowns` entries.
-unsafe fn host_rows(map: *const i32, unknowns: usize) -> Result<usize, Fault> {
+pub(super) unsafe fn host_rows(map: *const i32, unknowns: usize) -> Result<usize, Fault> {
     if map.is_null() {
         return Ok(unknowns);
     }
@@ -379,7 +379,7 @@ unsafe fn host_rows(map: *const i32, unknowns: usize) -> Result<usize, Fault> {
 }
 
 /// Strides that keep all entries apart; 0, 0 stands for dense row-major.
-fn strides(row: i64, column: i64, rows: usize) -> Result<(usize, usize), Fault> {
+pub(super) fn strides(row: i64, column: i64, rows: usize) -> Result<(usize, usize), Fault> {
     let fault = (code::STRIDE, argument::K_STRIDE, 0);
     let (Ok(row), Ok(column)) = (usize::try_from(row), usize::try_from(column)) else {
         return Err(fault);

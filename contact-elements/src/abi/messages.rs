@@ -99,6 +99,11 @@ fn argument_text(value: i32) -> &'static str {
         argument::TO_HISTORY => "to_history\0",
         argument::REACH => "reach\0",
         argument::RESULT => "result\0",
+        argument::PATCH => "patch\0",
+        argument::FACETS => "facets\0",
+        argument::FACET => "facet\0",
+        argument::EDGE => "edge\0",
+        argument::VERTEX => "vertex\0",
         _ => "unknown\0",
     }
 }

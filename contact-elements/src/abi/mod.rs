@@ -12,6 +12,7 @@ mod describe;
 mod evaluate;
 pub mod fortran;
 mod messages;
+mod patch;
 mod project;
 mod safe;
 mod sides;
@@ -30,6 +31,7 @@ pub use describe::{
 };
 pub use evaluate::element_evaluate;
 pub use messages::{argument_name, code_message, element_message, status_message};
+pub use patch::{Facets, Patch, evaluate_patch, patch_evaluate, patch_info};
 pub use project::{Projection, Query, element_project, project};
 pub use safe::{Evaluation, Outcome, evaluate};
 pub use target::Target;
@@ -66,6 +68,17 @@ pub struct Parameter {
     pub upper: f64,
     /// Whether the bounds themselves are allowed.
     pub closed: bool,
+}
+
+impl Parameter {
+    /// True for values within the bounds.
+    pub(crate) fn allows(&self, value: f64) -> bool {
+        if self.closed {
+            value >= self.lower && value <= self.upper
+        } else {
+            value > self.lower && value < self.upper
+        }
+    }
 }
 
 /// What the interface knows of an element; `cte_element` of the C header.

@@ -1,6 +1,6 @@
 //! The structs of `contact_elements.h`, field by field.
 
-use super::{Descriptor, Projection};
+use super::{Descriptor, Patch, Projection};
 
 /// `cte_info`.
 #[repr(C)]
@@ -179,6 +179,8 @@ pub struct ApiTable {
         *mut Projection,
         *mut f64,
     ) -> i32,
+    pub patch_info: unsafe extern "C" fn(*const Patch, *mut Info, *mut i32) -> i32,
+    pub patch_evaluate: unsafe extern "C" fn(*const Patch, *mut Arguments) -> i32,
 }
 
 /// True where the caller's struct is at least as large as `T`.
@@ -197,5 +199,5 @@ const _: () = {
     assert!(size_of::<Arguments>() == 312);
     assert!(size_of::<Batch>() == 336);
     assert!(size_of::<Projection>() == 48);
-    assert!(size_of::<ApiTable>() == 160);
+    assert!(size_of::<ApiTable>() == 176);
 };

@@ -27,7 +27,7 @@ pub struct Layout {
     pub tangential: usize,
     /// Offset r0.
     pub r0: usize,
-    /// Orientation ±1 (0 stands for +1), with a signed gap.
+    /// Orientation ±1 (0 stands for +1), with a signed or oriented gap.
     pub orientation: Option<usize>,
     /// Parameters of a rigid geometry.
     pub geometry: usize,

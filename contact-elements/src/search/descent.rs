@@ -1,6 +1,6 @@
 //! The one minimum of ½ r·r in a box over which F is positive definite.
 
-use super::boxes::Box;
+use super::region::Box;
 use super::sides::{Local, Sides};
 use crate::arithmetic::{abs, sqrt};
 

@@ -2,9 +2,9 @@
 
 // min(1), min(2): an index that the compiler does not see through would be a panicking path
 
-use super::boxes::Box;
 use super::descent::square;
 use super::interval::{Interval, Scratch};
+use super::region::Box;
 use super::sides::{Local, Sides};
 use crate::arithmetic::sqrt;
 

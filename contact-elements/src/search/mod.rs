@@ -12,12 +12,14 @@ mod boxes;
 mod descent;
 mod enclosure;
 mod interval;
+mod region;
 mod sides;
 
 pub(crate) use sides::{Side, Sides};
 
 use crate::runtime::Domain;
-use boxes::{Region, Search};
+use boxes::Search;
+use region::Region;
 
 /// What the search found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -242,6 +242,12 @@ impl Sides<'_> {
         self.relative(self.slave.at(own), self.master.at(other))
     }
 
+    /// r and r_,i at ζ.
+    pub(crate) fn relative_at(&self, zeta: &[f64; 2]) -> (Vector, [Vector; 2]) {
+        let local = self.at(zeta);
+        (local.r, local.b)
+    }
+
     /// Positions on slave and master.
     pub(super) fn positions(&self, zeta: &[f64; 2]) -> [Vector; 2] {
         let (own, other) = zeta.split_at(self.slave.parameters().min(2));

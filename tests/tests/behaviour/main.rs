@@ -26,5 +26,6 @@ mod rope;
 mod rotation;
 mod seam;
 mod static_kinetic;
+mod transition;
 mod vector;
 mod via_curve;

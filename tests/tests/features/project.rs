@@ -3,7 +3,7 @@
 use contact_elements::abi::{Descriptor, Outcome, Projection, Query, argument, code, project};
 use contact_elements::elements::{
     HermiteHermiteBeams, PointCircle2d, PointHelix, PointQuad4, PointQuad4Coulomb, PointQuad9,
-    PointSphere,
+    PointSphere, PointTri3,
 };
 
 const INSIDE: i32 = 0;
@@ -232,4 +232,26 @@ fn bad_input() {
         (outcome.code, outcome.argument),
         (code::NULL, argument::HISTORY_NEW)
     );
+}
+
+/// Beyond the edges and corners of a triangle.
+#[test]
+fn features_of_a_triangle() {
+    let nodes = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    for (point, feature, zeta) in [
+        ([0.3, -0.2], 1, [0.3, 0.0]),
+        ([0.8, 0.8], 2, [0.5, 0.5]),
+        ([-0.2, 0.4], 3, [0.0, 0.4]),
+        ([-0.2, -0.1], 5, [0.0, 0.0]),
+        ([1.4, 0.1], 6, [1.0, 0.0]),
+        ([1.1, -0.3], 6, [1.0, 0.0]),
+        ([0.1, 1.4], 7, [0.0, 1.0]),
+        ([-0.3, 1.1], 7, [0.0, 1.0]),
+    ] {
+        let x = [&point[..], &[0.5], &nodes].concat();
+        let result = at(PointTri3::DESCRIPTOR, &x, &FACET, 0.0);
+        assert_eq!(result.feature, feature, "{point:?}: {result:?}");
+        let error = (result.zeta[0] - zeta[0]).abs() + (result.zeta[1] - zeta[1]).abs();
+        assert!(error < 1e-14, "{point:?}: {result:?}");
+    }
 }

@@ -290,9 +290,12 @@ fn wanted_relative(
             let frame = Frame::new(&built.pair, anchor, &x, &vec![0.0; x.len()]);
             scale(frame.normal(&relative), gap + built.pair.r0)
         }
-        GapKind::Distance => {
+        GapKind::Distance | GapKind::Oriented => {
             let length = stream.uniform(0.3, 0.6);
-            built.pair.r0 = length - gap;
+            built.pair.r0 = match built.pair.gap {
+                GapKind::Oriented => built.pair.orientation * length - gap,
+                _ => length - gap,
+            };
             let direction = match p {
                 0 if built.pair.dimension == 2 => planar(stream),
                 0 => stream.direction(),

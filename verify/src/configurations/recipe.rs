@@ -19,7 +19,7 @@ pub struct Freedom {
     pub law: bool,
     /// Position of a single integration point; a rule of several points always stays.
     pub eta: bool,
-    /// Orientation of a signed gap.
+    /// Orientation of a gap that has one.
     pub orientation: bool,
     /// `r0` of a signed gap, if the template's is not zero; that of a distance is always chosen
     /// to suit the wanted status.
@@ -70,7 +70,7 @@ pub fn draw(template: &Pair, freedom: &Freedom, wanted: Wanted, stream: &mut Str
     if freedom.law {
         draw_law(&mut pair.law, stream);
     }
-    if freedom.orientation && pair.gap == GapKind::Signed {
+    if freedom.orientation && pair.gap != GapKind::Distance {
         pair.orientation = stream.sign();
     }
     if freedom.r0 && pair.gap == GapKind::Signed && pair.r0 != 0.0 {

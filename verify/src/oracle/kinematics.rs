@@ -269,7 +269,7 @@ impl<'a> Frame<'a> {
         ]
     }
 
-    /// Unit normal of a signed gap, `r / |r|` of a distance.
+    /// Unit normal of a signed gap, `r / |r|` of a distance, `± r / |r|` of an oriented one.
     #[inline]
     pub fn normal<D: Base>(&self, relative: &Relative<D>) -> [D; 3] {
         let [b1, b2] = relative.tangents;
@@ -283,6 +283,7 @@ impl<'a> Frame<'a> {
             (_, GapKind::Distance) => {
                 return scale(relative.position, norm(relative.position).recip());
             }
+            (_, GapKind::Oriented) => relative.position,
             (_, GapKind::Signed) if self.pair.dimension == 2 => [b1[1], -b1[0], D::zero()],
             (_, GapKind::Signed) => cross(b1, b2),
         };
@@ -310,6 +311,7 @@ impl<'a> Frame<'a> {
                 body.distance(self.unrotated(relative.position)) * self.pair.orientation
             }
             (_, GapKind::Distance) => norm(relative.position),
+            (_, GapKind::Oriented) => norm(relative.position) * self.pair.orientation,
             (_, GapKind::Signed) => dot(relative.position, self.normal(relative)),
         };
         length - self.pair.r0

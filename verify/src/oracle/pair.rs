@@ -92,6 +92,8 @@ pub enum Master {
 pub enum GapKind {
     /// `g = |r| - r0`.
     Distance,
+    /// `g = ± |r| - r0`, the sign being the orientation.
+    Oriented,
     /// `g = r·n - r0`, n the unit vector along `b_1 × b_2` (`b_i = r_,i`), in two dimensions along
     /// `(b_y, -b_x)`, times the orientation. For a rigid distance: that distance times the
     /// orientation.
@@ -109,7 +111,7 @@ pub struct Pair {
     pub master: Master,
     /// How the gap is measured.
     pub gap: GapKind,
-    /// +1 or -1: factor of the normal of a signed gap.
+    /// +1 or -1: factor of the normal of a signed gap, of the length of an oriented one.
     pub orientation: f64,
     /// Radii, offsets, thickness (length).
     pub r0: f64,
@@ -242,7 +244,7 @@ impl Pair {
             GapKind::Signed if codimension != 1 && !by_distance => {
                 return fail("a signed gap needs codimension one".into());
             }
-            GapKind::Distance if by_distance => {
+            GapKind::Distance | GapKind::Oriented if by_distance => {
                 return fail("a rigid distance has a sign".into());
             }
             _ => {}

@@ -197,7 +197,7 @@ fn moved(configuration: &Configuration, point: &PointReport, fraction: f64) -> C
     let pair = &mut moved.pair;
     let distance = point.gap + pair.r0;
     let shift = (fraction - 1.0) * distance;
-    if pair.gap == GapKind::Distance {
+    if pair.gap != GapKind::Signed {
         pair.r0 *= fraction;
     }
     let d = pair.dimension;
@@ -267,7 +267,9 @@ fn errors(
         .collect();
     let distance = match configuration.pair.gap {
         GapKind::Signed => point.gap * fraction,
-        GapKind::Distance => (point.gap + configuration.pair.r0 / fraction) * fraction,
+        GapKind::Distance | GapKind::Oriented => {
+            (point.gap + configuration.pair.r0 / fraction) * fraction
+        }
     };
     Some((
         distance.abs(),

@@ -211,6 +211,14 @@ pub fn gap_missing() -> Diagnostic {
     )
 }
 
+/// Two curves have no inside that an orientation could tell.
+pub fn gap_not_oriented() -> Diagnostic {
+    Diagnostic::new(
+        "the gap of two curves cannot be `oriented`: neither has an inside",
+        "write `gap: distance;` for beams or `gap: signed;` for edges",
+    )
+}
+
 /// A gap that this pair does not have.
 pub fn gap_not_possible(found: &str, possible: &str, reason: &str) -> Diagnostic {
     Diagnostic::new(

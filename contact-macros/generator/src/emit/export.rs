@@ -177,6 +177,18 @@ fn evaluations(prefix: &Ident) -> TokenStream {
             )),
         ),
         f(
+            "patch_info",
+            quote!(patch: *const abi::Patch, info: *mut abi::Info, argument: *mut i32),
+            quote!(i32),
+            quote!(abi::patch_info(patch, info, argument)),
+        ),
+        f(
+            "patch_evaluate",
+            quote!(patch: *const abi::Patch, arguments: *mut abi::Arguments),
+            quote!(i32),
+            quote!(abi::patch_evaluate(patch, arguments)),
+        ),
+        f(
             "element_evaluate",
             quote!(element: *const abi::Descriptor, arguments: *mut abi::Arguments),
             quote!(i32),
@@ -279,6 +291,8 @@ fn table(prefix: &Ident) -> TokenStream {
         "history_transfer",
         "history_augment",
         "element_project",
+        "patch_info",
+        "patch_evaluate",
     ];
     let names = fields.iter().map(|name| format_ident!("{name}"));
     let values = fields.iter().map(|name| entry(name));

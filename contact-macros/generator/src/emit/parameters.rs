@@ -64,7 +64,7 @@ impl Parameters {
         let rolls = element.rolling.iter();
         entries.extend(rolls.flat_map(|r| &r.law.parameters).map(declared));
         let infinity = f64::INFINITY;
-        let signed = element.gap == Gap::Signed;
+        let signed = element.gap != Gap::Distance;
         let lowest = if signed { -infinity } else { 0.0 };
         let r0 = entries.len();
         entries.push(Entry {

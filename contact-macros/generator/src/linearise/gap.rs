@@ -3,11 +3,13 @@
 use super::Kinematics;
 use super::basis::orthogonal_direction;
 use crate::ir::{Program, Vector};
+use crate::model::Gap;
 
 /// r, b_i, orientation, r0 → n, L, g.
 ///
 /// Signed: n = ± b_1×b_2/|b_1×b_2|, taken of b_1 and a_11 b_2 − a_12 b_1 so that n·b_1 vanishes to rounding even where
 /// the tangents are nearly parallel [eq:orthogonal-basis]; in 2D ± (b_y, −b_x)/|b|, L = r·n. Distance: L = |r|, n = r/L.
+/// Oriented: L = ± |r|, n = r/L. [eq:oriented]
 /// The caller has made sure that the divisor is not zero.
 pub fn gap_program(kinematics: &Kinematics) -> Program {
     let (d, p) = (kinematics.dimension, kinematics.projected());
@@ -18,11 +20,14 @@ pub fn gap_program(kinematics: &Kinematics) -> Program {
         .collect();
     let orientation = program.input("orientation");
     let r0 = program.input("r0");
-    let (n, distance) = if kinematics.signed {
+    let (n, distance) = if kinematics.gap == Gap::Signed {
         signed(&mut program, &r, &b, orientation)
     } else {
         let graph = &mut program.graph;
-        let distance = r.norm(graph);
+        let mut distance = r.norm(graph);
+        if kinematics.gap == Gap::Oriented {
+            distance = graph.multiply(orientation, distance);
+        }
         let one = graph.constant(1.0);
         let inverse = graph.divide(one, distance);
         (r.scale(graph, inverse), distance)

@@ -45,7 +45,7 @@ pub mod sliding;
 pub mod tangential;
 pub mod turning;
 
-use crate::model::Linearisation;
+use crate::model::{Gap, Linearisation};
 
 /// What the closed forms need to know about a pair.
 #[derive(Clone, Debug)]
@@ -59,8 +59,8 @@ pub struct Kinematics {
     pub curved: Vec<bool>,
     /// Which third derivatives r_,111 r_,112 r_,122 r_,222 can be non-zero.
     pub third: Vec<bool>,
-    /// Gap with a sign (codimension one) or distance without.
-    pub signed: bool,
+    /// How the gap is measured.
+    pub gap: Gap,
     /// Which form of the tangent.
     pub linearisation: Linearisation,
 }

@@ -286,23 +286,30 @@ impl<'a> Entries<'a> {
     }
 
     fn gap(&self, pair: Option<(usize, &Slave, &Master)>, mistakes: &mut Mistakes) -> Option<Gap> {
-        let choices = [("distance", Gap::Distance), ("signed", Gap::Signed)];
+        let choices = [
+            ("distance", Gap::Distance),
+            ("signed", Gap::Signed),
+            ("oriented", Gap::Oriented),
+        ];
         let (chosen, span) = self.choice("gap", choices, mistakes)?;
         // A pair that cannot meet has no gap to speak of.
         let (dimension, slave, master) = pair?;
         match (only_gap(dimension, slave, master), span) {
+            (None, Some(span)) if chosen == Gap::Oriented => {
+                mistakes.report(span, messages::gap_not_oriented());
+                None
+            }
             (None, Some(_)) => Some(chosen),
             (None, None) => {
                 mistakes.report(self.item.name.span(), messages::gap_missing());
                 None
             }
+            (Some((Gap::Distance, _)), Some(_)) if chosen == Gap::Oriented => Some(chosen),
             (Some((only, reason)), Some(span)) if only != chosen => {
-                let word = |gap| {
-                    if gap == Gap::Signed {
-                        "signed"
-                    } else {
-                        "distance"
-                    }
+                let word = |gap| match gap {
+                    Gap::Signed => "signed",
+                    Gap::Distance => "distance",
+                    Gap::Oriented => "oriented",
                 };
                 let message = messages::gap_not_possible(word(chosen), word(only), reason);
                 mistakes.report(span, message);

@@ -293,6 +293,8 @@ pub enum Enforcement {
 pub enum Gap {
     /// Length of the shortest connection, less `r0`; no sign of its own.
     Distance,
+    /// That length with a sign that is given: negative inside a re-entrant edge or vertex.
+    Oriented,
     /// Along the normal of the pair, with a sign.
     Signed,
 }

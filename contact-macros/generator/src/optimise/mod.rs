@@ -27,7 +27,7 @@ mod tests {
     use super::*;
     use crate::ir::interpret;
     use crate::linearise::{Kinematics, gap, normal};
-    use crate::model::Linearisation;
+    use crate::model::{Gap, Linearisation};
 
     fn divisions(program: &Program) -> usize {
         let needed = program.needed();
@@ -45,7 +45,7 @@ mod tests {
             moving: vec![true, true],
             curved: vec![true, true, true],
             third: vec![true; 4],
-            signed: true,
+            gap: Gap::Signed,
             linearisation: Linearisation::Exact,
         };
         for program in [

@@ -251,7 +251,7 @@ fn judge(
     let relative = frame.relative(&frame.nodes, root.z);
     let r = relative.position;
     let normal = frame.normal(&relative);
-    let unsigned = pair.gap == super::pair::GapKind::Distance;
+    let unsigned = pair.gap != super::pair::GapKind::Signed;
     let vanishes = unsigned && dot(r, r).sqrt() <= NO_DIRECTION * frame.size;
     if vanishes || !normal.iter().all(|v| v.is_finite()) {
         report.status = PointStatus::Degenerate;

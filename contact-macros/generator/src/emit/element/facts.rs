@@ -10,7 +10,7 @@ use crate::emit::program::Emitted;
 use crate::emit::rule::{WeightedPoint, gauss};
 use crate::ir::Program;
 use crate::linearise::{Kinematics, distance, gap, geometry, measure, normal, second_derivatives};
-use crate::model::{Body, Element, Gap, Geometry, Master, Measure, Rule, Slave};
+use crate::model::{Body, Element, Geometry, Master, Measure, Rule, Slave};
 
 /// Everything about an element that several parts of the output need.
 pub(super) struct Facts<'a> {
@@ -173,7 +173,7 @@ pub(super) fn kinematics(element: &Element) -> Kinematics {
         moving,
         curved,
         third,
-        signed: element.gap == Gap::Signed,
+        gap: element.gap,
         linearisation: element.linearisation,
     }
 }

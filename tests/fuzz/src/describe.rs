@@ -83,7 +83,7 @@ fn versions(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
 }
 
 fn get(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
-    let table = harness.interface.table.clone();
+    let table = harness.interface.table;
     // SAFETY: no arguments.
     let count = harness.call(COUNT, || unsafe { (table.element_count)() });
     let index = entropy.strange_i32(count);
@@ -377,7 +377,7 @@ fn f77_info(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
 }
 
 fn messages(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
-    let table = harness.interface.table.clone();
+    let table = harness.interface.table;
     let number = match entropy.below(2) {
         0 => entropy.below(50) as i32 - 14,
         _ => entropy.bits() as i32,

@@ -136,7 +136,11 @@ impl Element {
 }
 
 /// `cte_element_info` of a valid call.
-pub fn info(interface: &Interface, element: *const Descriptor, nnode: i32) -> Result<Info, String> {
+pub(crate) fn info(
+    interface: &Interface,
+    element: *const Descriptor,
+    nnode: i32,
+) -> Result<Info, String> {
     let mut info = std::mem::MaybeUninit::<Info>::zeroed();
     // SAFETY: zero is a value of every field; the struct begins with its size.
     unsafe {

@@ -97,15 +97,17 @@ unsafe fn harm(sabotage: Sabotage, arguments: &mut Arguments, code: i32) -> i32 
             Sabotage::WriteBefore if wants(request::ENERGY) => *energy.sub(1) = 0.0,
             Sabotage::WriteInput if code == 0 => *arguments.x.cast_mut() = 0.0,
             Sabotage::WriteStruct => arguments.element_id ^= 1,
-            Sabotage::WriteUnrequested if code == 0 && !wants(request::ENERGY) => {
-                if !energy.is_null() {
-                    *energy = 0.0;
-                }
+            Sabotage::WriteUnrequested
+                if code == 0 && !wants(request::ENERGY) && !energy.is_null() =>
+            {
+                *energy = 0.0;
             }
-            Sabotage::WriteOnError if code < 0 && arguments.request & request::HISTORY != 0 => {
-                if !arguments.hist_new.is_null() {
-                    *arguments.hist_new = 0.0;
-                }
+            Sabotage::WriteOnError
+                if code < 0
+                    && arguments.request & request::HISTORY != 0
+                    && !arguments.hist_new.is_null() =>
+            {
+                *arguments.hist_new = 0.0;
             }
             Sabotage::LeaveOut if wants(request::ENERGY) => {
                 *energy = f64::from_bits(crate::memory::CANARY);

@@ -20,8 +20,9 @@
  *                exception is raised on the way, unless a law, shape function, rigid position or closed
  *                projection of a declaration divides by zero, leaves the domain of ln, sqrt or pow or the
  *                range of a double: then one may be, before the status (law, degenerate, not converged)
- *                says so. Built in: rational geometries beyond the domain, where sum of w B may vanish,
- *                and laws whose values leave the range of a double.
+ *                says so or the search within the domain goes on. Built in: rational geometries beyond the
+ *                domain, where sum of w B may vanish, or with weights below 1e-30, and laws whose values leave
+ *                the range of a double.
  *   Growth       every struct begins with its size as the caller compiled it; new fields come at the
  *                end; a zero field means its default. Zero a struct (memset or = {0}) before filling it.
  *   Returns      0 fine; > 0 recoverable (see CTE_CUT_BACK); < 0 the caller's fault. On anything but 0
@@ -60,8 +61,8 @@ extern "C" {
 #define CTE_ERROR_NAME (-9)        /* no element of that name */
 #define CTE_ERROR_VERSION (-10)    /* the library's major version is another */
 #define CTE_ERROR_STRIDE (-11)     /* strides are negative, let entries overlap or exceed any memory */
-#define CTE_ERROR_HISTORY (-12)    /* an entry that no evaluation writes: no status, an anchor far outside, a
-                                    * negative path, no regime, an angle beyond 1000 rad, a positive multiplier;
+#define CTE_ERROR_HISTORY (-12)    /* an entry that no evaluation writes: no status, a projection or anchor far outside,
+                                    * a negative path, no regime, an angle beyond 1000 rad, a positive multiplier;
                                     * cte_history_transfer: or not that of the output */
 #define CTE_ERROR_ELEMENT (-13)    /* cte_history_transfer: nothing to carry, or another kind of element;
                                     * cte_history_augment: no multiplier in the history;
@@ -455,7 +456,7 @@ int32_t cte_element_history_init(const cte_element *element, double *history);
  * neither tangential law nor augmented, or the kinds, dimensions or numbers of projected parameters differ;
  * CTE_ERROR_NOT_FINITE;
  * CTE_ERROR_HISTORY: no history, or projection in history and output differ; CTE_CUT_BACK: tangents or normal
- * span no plane, normals opposite, a slip across the curve. On anything but 0 to_history is as it was: contact on
+ * span no plane, normals opposite, a slip across the curve, an anchor far outside. On anything but 0 to_history is as it was: contact on
  * `to` begins anew. */
 int32_t cte_history_transfer(const cte_element *from, const double *from_output, const double *from_history,
                              const cte_element *to, const double *to_output, double *to_history, int32_t *argument);

@@ -73,6 +73,12 @@ static void parameters(void)
     expect(client_text("friction, no number as parameter", i), CTE_ERROR_NOT_FINITE, CTE_ARGUMENT_PARAMETERS,
            bench_parameter(&b, name[i]));
   }
+  bench_open(&b, "PointQuad4Orthotropic");
+  bench_set(&b, "eps_1", 1e20);
+  bench_set(&b, "eps_2", 1e-300);
+  bench_canary(&b);
+  client_check(bench_evaluate(&b) == CTE_CUT_BACK && b.a.status == CTE_STATUS_LAW && bench_untouched(&b),
+               "friction, stiffnesses whose quotient is no number");
 }
 
 static void histories(void)
@@ -108,6 +114,8 @@ static void histories(void)
   accepted(&b, "PointQuad4");
   b.hist_old[0] = 9.0;
   client_check(clean(), "without friction any number is a status: it is open");
+  b.hist_old[1] = -1e30;
+  expect("history: a projection far outside", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 1);
 }
 
 /* Two contacts, the second with a bad history: it fails alone. */

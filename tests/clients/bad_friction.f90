@@ -87,6 +87,7 @@ contains
   subroutine parameters()
     character(len=5), parameter :: name(6) = [character(len=5) :: 'eps_t', 'mu', 'eps_1', 'eps_2', 'mu_1', 'mu_2']
     integer :: i, entry
+    integer(i4) :: found
     do i = 1, 6
       if (i <= 2) call bench_open(b, facet)
       if (i > 2) call bench_open(b, 'PointQuad4Orthotropic')
@@ -98,6 +99,13 @@ contains
       call expect(client_text('friction, no number as parameter', i - 1_i8), CTE_ERROR_NOT_FINITE, &
         CTE_ARGUMENT_PARAMETERS, entry)
     end do
+    call bench_open(b, 'PointQuad4Orthotropic')
+    b%parameters(bench_parameter(b, 'eps_1') + 1) = 1e20_dp
+    b%parameters(bench_parameter(b, 'eps_2') + 1) = 1e-300_dp
+    call bench_canary(b)
+    found = bench_evaluate(b)
+    call client_check(found == CTE_CUT_BACK .and. b%a%status == CTE_STATUS_LAW .and. bench_untouched(b), &
+      'friction, stiffnesses whose quotient is no number')
   end subroutine parameters
 
   subroutine not_finite()
@@ -139,6 +147,8 @@ contains
     end do
     if (accepted(b, 'PointQuad4')) b%hist_old(1) = 9
     call client_check(clean(), 'without friction any number is a status: it is open')
+    b%hist_old(2) = -1e30_dp
+    call expect('history: a projection far outside', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 1)
   end subroutine histories
 
   ! Two contacts, the second with a bad history: it fails alone.

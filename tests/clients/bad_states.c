@@ -62,6 +62,28 @@ static void no_area(void)
   }
 }
 
+/* A projection that ends where a tangent vanishes: no normal, and no trap. */
+static void folds(void)
+{
+  static const double curve[8] = {-0.35775198312476275, -0.15996433375403285, 0, 0, 1, 0, 0, 0};
+  static const double facet[15] = {0.32448022570461044, 0.8389384679496289, 0.5141999583691359,
+                                   -0.9860729075968265, -1.1488143572583795, -0.06259793927893043,
+                                   0.892480515409261, -1.0349531116895379, 0.09425299530848862,
+                                   -0.9860729075968265, -1.1488143572583795, -0.06259793927893043,
+                                   -0.8702644775621593, 0.8918195568025112, 0.11188382990658284};
+  static const char *const name[2] = {"PointLine3In2d", "PointQuad4"};
+  for (int i = 0; i < 2; i++) {
+    int32_t index = -1;
+    if (cte_element_find(name[i], (int32_t)strlen(name[i]), &index) != CTE_SUCCESS || !bench_index(&b, index, 0)) {
+      client_check(0, name[i]);
+      continue;
+    }
+    memcpy(b.x, i == 0 ? curve : facet, i == 0 ? sizeof curve : sizeof facet);
+    b.a.hist_old = NULL;
+    client_check(degenerate(), client_text("a fold", i));
+  }
+}
+
 static void counts(void)
 {
   const int32_t many[3] = {INT32_MAX, 1 << 30, ((1 << 30) - 1) / 3 - 3};
@@ -255,6 +277,7 @@ void bad_states(void)
 {
   axes();
   no_area();
+  folds();
   counts();
   strides();
   scalars();

@@ -94,6 +94,30 @@ contains
     end do
   end subroutine no_area
 
+  ! A projection that ends where a tangent vanishes: no normal, and no trap.
+  subroutine folds()
+    real(dp), parameter :: curve(8) = [-0.35775198312476275_dp, -0.15996433375403285_dp, 0.0_dp, 0.0_dp, 1.0_dp, &
+      0.0_dp, 0.0_dp, 0.0_dp]
+    real(dp), parameter :: facet(15) = [0.32448022570461044_dp, 0.8389384679496289_dp, 0.5141999583691359_dp, &
+      -0.9860729075968265_dp, -1.1488143572583795_dp, -0.06259793927893043_dp, &
+      0.892480515409261_dp, -1.0349531116895379_dp, 0.09425299530848862_dp, &
+      -0.9860729075968265_dp, -1.1488143572583795_dp, -0.06259793927893043_dp, &
+      -0.8702644775621593_dp, 0.8918195568025112_dp, 0.11188382990658284_dp]
+    character(len=14), parameter :: name(0:1) = [character(len=14) :: 'PointLine3In2d', 'PointQuad4']
+    integer(i4) :: element_index
+    integer :: i
+    logical :: pass
+    do i = 0, 1
+      pass = cte_element_find(name(i), len_trim(name(i)), element_index) == CTE_SUCCESS
+      if (pass) pass = bench_index(b, element_index, 0)
+      if (i == 0) b%x(:8) = curve
+      if (i == 1) b%x(:15) = facet
+      b%a%hist_old = c_null_ptr
+      if (pass) pass = degenerate()
+      call client_check(pass, client_text('a fold', int(i, i8)))
+    end do
+  end subroutine folds
+
   subroutine counts()
     integer(i4), parameter :: many(3) = [huge(0_i4), 2_i4**30, (2_i4**30 - 1)/3 - 3]
     type(cte_info) :: info
@@ -307,6 +331,7 @@ contains
     end if
     call axes()
     call no_area()
+    call folds()
     call counts()
     call strides()
     call scalars()

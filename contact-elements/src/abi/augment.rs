@@ -15,7 +15,7 @@ fn check(element: &Descriptor, history: &[f64], name: i32) -> Result<(), Fault> 
     let possible = |(entry, &value): (usize, &f64)| match entry.checked_rem(size).unwrap_or(0) {
         0 => is_status(value),
         last if last + 1 == size => value <= 0.0,
-        zeta if zeta <= p => true,
+        zeta if zeta <= p => element.can_be_projection(zeta - 1, value),
         anchor if anchor <= 2 * p => element.can_be_anchor(anchor - 1 - p, value),
         angle if angle >= 2 + 2 * p => is_remembered(angle - 2 - 2 * p, value),
         _ => value >= 0.0,

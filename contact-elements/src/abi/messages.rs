@@ -32,7 +32,7 @@ fn code_text(value: i32) -> &'static str {
         code::VERSION => "the library has another major version than the header\0",
         code::STRIDE => "strides are negative, let entries overlap or reach beyond any memory\0",
         code::HISTORY => {
-            "an entry of a history that no evaluation writes: no status, an anchor far outside, a negative path, no regime of rolling, a positive multiplier, or not that of the output\0"
+            "an entry of a history that no evaluation writes: no status, a projection or anchor far outside, a negative path, no regime of rolling, a positive multiplier, or not that of the output\0"
         }
         code::ELEMENT => {
             "the element's history has no such entries, or those of another kind of element\0"

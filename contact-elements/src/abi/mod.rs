@@ -40,7 +40,7 @@ pub use types::{ApiTable, Arguments, Batch, Info};
 
 use crate::program::{MasterDescription, SlaveDescription};
 use crate::runtime::{
-    Call, Domain, Enforcement, InputError, Layout, Nodes, Summary, can_be_anchor,
+    Call, Domain, Enforcement, InputError, Layout, Nodes, Summary, can_be_anchor, can_be_projection,
 };
 
 /// Version of the interface: major << 16 | minor.
@@ -157,6 +157,14 @@ impl Descriptor {
     pub fn can_be_anchor(&self, i: usize, value: f64) -> bool {
         match (self.centre.get(i), self.extents.get(i)) {
             (Some(centre), Some(extent)) => can_be_anchor(value, *centre, *extent),
+            _ => false,
+        }
+    }
+
+    /// False for a projection that lies far outside the domain of parameter `i`.
+    pub(crate) fn can_be_projection(&self, i: usize, value: f64) -> bool {
+        match (self.centre.get(i), self.extents.get(i)) {
+            (Some(centre), Some(extent)) => can_be_projection(value, *centre, *extent),
             _ => false,
         }
     }

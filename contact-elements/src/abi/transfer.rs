@@ -90,7 +90,8 @@ impl<'a> Place<'a> {
         }
         for i in 0..p {
             let (own, projected) = (self.entry(1 + i), self.at(PROJECTION + i));
-            if abs(own - projected) > APART * abs(own).max(1.0) {
+            let possible = self.element.can_be_projection(i, own);
+            if !possible || abs(own - projected) > APART * abs(own).max(1.0) {
                 return Err((code::HISTORY, history, 1 + i));
             }
         }
@@ -201,7 +202,7 @@ fn anchor(from: &Place<'_>, to: &Place<'_>) -> Result<[f64; 2], Fault> {
     let mut anchor = [0.0; 2];
     for (i, (anchor, moved)) in anchor.iter_mut().zip(moved).enumerate().take(p) {
         *anchor = to.entry(1 + i) - moved;
-        if !is_usable(*anchor) {
+        if !to.element.can_be_anchor(i, *anchor) {
             return Err(degenerate);
         }
     }

@@ -134,6 +134,9 @@ pub fn return_map<L: TangentialLaw>(
     Ok(Status::Stick)
 }
 
+/// Stiffnesses below this are none: quotients of two stay within the range of a double.
+const SOFTEST: f64 = 1e-200;
+
 /// Stiffnesses are positive, all values are numbers.
 #[inline(always)]
 fn is_usable<L: TangentialLaw>(friction: &Friction) -> bool {
@@ -143,7 +146,7 @@ fn is_usable<L: TangentialLaw>(friction: &Friction) -> bool {
         values.fold(true, |all, &value| all & (abs(value) <= f64::MAX))
     };
     let stiff = friction.stiffness.iter().take(axes);
-    stiff.fold(true, |all, &e| all & (e > 0.0))
+    stiff.fold(true, |all, &e| all & (e >= SOFTEST))
         && finite(&friction.stiffness)
         && finite(&friction.bound)
         && finite(&friction.by_pressure)

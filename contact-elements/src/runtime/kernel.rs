@@ -21,8 +21,8 @@ pub enum InputError {
     Displacement(usize),
     /// Entry of the history.
     History(usize),
-    /// Entry of the history that no evaluation writes: no status, an anchor far outside, a negative path, no regime
-    /// of rolling, a multiplier that pulls.
+    /// Entry of the history that no evaluation writes: no status, a projection or anchor far outside, a negative path,
+    /// no regime of rolling, a multiplier that pulls.
     Impossible(usize),
     /// Entry of the slave row.
     SlaveRow(usize),
@@ -42,10 +42,19 @@ impl From<Failure> for InputError {
 /// An anchor is at most this many extents from the middle of a bounded domain.
 const FARTHEST: f64 = 1e3;
 
+/// A projection is at most this many extents from the middle of a bounded domain: Newton's method gives up before.
+const FARTHEST_PROJECTION: f64 = 1e7;
+
 /// Whether an anchor lies within [`FARTHEST`] extents of the middle of a bounded domain.
 #[inline(always)]
 pub(crate) fn can_be_anchor(value: f64, centre: f64, extent: f64) -> bool {
     is_usable(value) && abs(value - centre) <= FARTHEST * extent
+}
+
+/// Whether a projection lies within [`FARTHEST_PROJECTION`] extents of the middle of a bounded domain.
+#[inline(always)]
+pub(crate) fn can_be_projection(value: f64, centre: f64, extent: f64) -> bool {
+    is_usable(value) && abs(value - centre) <= FARTHEST_PROJECTION * extent
 }
 
 /// The number of a status.
@@ -54,7 +63,7 @@ pub(crate) fn is_status(value: f64) -> bool {
     (0.0..=8.0).contains(&value) && f64::from(value as u8) == value
 }
 
-/// Finite numbers; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
+/// Finite numbers, a projection within [`FARTHEST_PROJECTION`] extents; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
 /// that is not negative; with rolling what [`is_remembered`] says; a multiplier that is not positive.
 #[inline(always)]
 fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
@@ -64,9 +73,6 @@ fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: u
         if !is_usable(value.get()) {
             return Err(InputError::History(index));
         }
-    }
-    if !E::Tangential::ACTIVE && !E::AUGMENTED {
-        return Ok(());
     }
     for (number, own) in history.chunks_exact(E::HISTORY).enumerate() {
         if let Err(entry) = check_point::<E, D, P, H>(own) {
@@ -82,6 +88,14 @@ fn check_point<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
     own: &[Cell<f64>],
 ) -> Result<(), usize> {
     let at = |entry: usize| own.get(entry).map_or(0.0, Cell::get);
+    for i in 0..P {
+        if !can_be_projection(at(1 + i), E::centre()[i], E::extent(i)) {
+            return Err(1 + i);
+        }
+    }
+    if !E::Tangential::ACTIVE && !E::AUGMENTED {
+        return Ok(());
+    }
     if !is_status(at(0)) {
         return Err(0);
     }

@@ -41,7 +41,7 @@ pub use friction::{Friction, Frictionless, Tangential, TangentialLaw, return_map
 pub(crate) use gather::is_usable;
 pub use gather::{Coordinates, Nodes};
 pub use kernel::{InputError, fixed, interpolated, workspace};
-pub(crate) use kernel::{can_be_anchor, is_status};
+pub(crate) use kernel::{can_be_anchor, can_be_projection, is_status};
 pub use kinematics::{
     curve_to_curve, curve_to_curve_higher, curve_to_curve_third, curve_to_rigid,
     curve_to_rigid_higher, onto_point, onto_rigid, onto_rigid_higher, onto_shape,

@@ -28,6 +28,10 @@ pub struct Projected<const D: usize, const P: usize, const H: usize> {
 const MOST_STEPS: u32 = 40;
 /// Tangents count as parallel, and F as singular, below this sine or relative determinant.
 const SINGULAR: f64 = 1e-13;
+/// det F below this part of its terms may vanish nearby.
+const DELICATE: f64 = 1e-6;
+/// det F below this part of its terms is rounding.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Tangents count as nearly parallel below this sine.
 const SHARP: f64 = 1e-2;
 /// Lengths below this are zero [length].
@@ -71,7 +75,12 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
     // fills the rows; its sums are left out where the vectors are known
     let summed = E::kinematics(x, &zeta, parameters, rows);
     let vectors = known.unwrap_or(summed);
-    if P > 0 && is_free && !is_checked {
+    if P > 0 && is_free && is_checked {
+        // the last step may lead to where a tangent vanishes; those of an affine pair are the same everywhere
+        if !matches!(E::SEARCH, Search::Affine) {
+            tangents::<E, D, P, H>(&vectors.b)?;
+        }
+    } else if P > 0 && is_free {
         match step::<E, D, P, H>(&vectors) {
             Ok(_) => {}
             Err(Status::NotUnique) if iterations > 0 => is_free = false,
@@ -81,9 +90,14 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
     if !is_free {
         let found = apart::<E, D, P, H>(x, start, &extent, parameters, rows)?;
         // once more here: what a call leaves in memory would have every other path go through memory
+        let vectors = E::kinematics(x, &found.zeta, parameters, rows);
+        if E::SIGNED {
+            // a corner where nodes coincide has no normal
+            tangents::<E, D, P, H>(&vectors.b)?;
+        }
         return Ok(Projected {
             zeta: found.zeta,
-            vectors: E::kinematics(x, &found.zeta, parameters, rows),
+            vectors,
             iterations: found.iterations,
             feature: found.feature,
         });
@@ -178,6 +192,7 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
             slopes,
             metric,
             is_sharp,
+            is_delicate,
         } = step::<E, D, P, H>(&vectors)?;
         let mut size: f64 = 0.0;
         for i in 0..P {
@@ -193,7 +208,7 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         if stagnates || is_finished {
             return Ok(Found {
                 iterations: iteration,
-                is_checked: is_finished,
+                is_checked: is_finished && !is_delicate,
                 vectors: multilinear.then(|| displaced::<E, D, P, H>(&at_centre, &centre, zeta)),
             });
         }
@@ -265,6 +280,8 @@ pub(super) struct Step<const P: usize> {
     metric: [f64; P],
     /// The tangents meet at an angle below about 0.01.
     is_sharp: bool,
+    /// det F is small beside its terms: it may vanish nearby.
+    is_delicate: bool,
 }
 
 /// |f_i| ≤ 64 ε |b_i| times the largest coordinate: no larger than the rounding of its terms, with room for
@@ -305,6 +322,7 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
     let Vectors { r, b, second } = vectors;
     let (mut change, mut slopes, mut metric) = ([0.0; P], [0.0; P], [0.0; P]);
     let mut is_sharp = false;
+    let is_delicate;
     // r·r_,ij; a constant zero where there is no such derivative
     let bend = |h: usize| {
         if E::CURVED[h] {
@@ -314,33 +332,29 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         }
     };
     if P == 1 {
-        let a = dot(&b[0], &b[0]);
-        if a < SMALLEST * SMALLEST {
-            return Err(Status::Degenerate);
-        }
-        let f = a + bend(0);
+        let ([a, _], _) = tangents::<E, D, P, H>(b)?;
+        let h = bend(0);
+        let f = a + h;
         if f <= SINGULAR * a {
             return Err(Status::NotUnique);
         }
+        is_delicate = f < DELICATE * (a + abs(h));
         let f1 = dot(r, &b[0]);
         (slopes[0], metric[0]) = (f1, a);
         change[0] = -f1 / f;
     } else {
-        let (a11, a12, a22) = (dot(&b[0], &b[0]), dot(&b[0], &b[1]), dot(&b[1], &b[1]));
-        let determinant = area_squared(&b[0], &b[1]);
-        if a11 < SMALLEST * SMALLEST || a22 < SMALLEST * SMALLEST {
-            return Err(Status::Degenerate);
-        }
-        if determinant <= SINGULAR * SINGULAR * a11 * a22 {
-            return Err(E::PARALLEL);
-        }
+        let ([a11, a22], determinant) = tangents::<E, D, P, H>(b)?;
+        let a12 = dot(&b[0], &b[1]);
         is_sharp = determinant < SHARP * SHARP * a11 * a22;
         let (h11, h12, h22) = (bend(0), bend(1), bend(2));
-        let f = determinant + change_of_determinant::<E, D, P, H>([a11, a12, a22], [h11, h12, h22]);
+        let (change_of_f, size) =
+            change_of_determinant::<E, D, P, H>([a11, a12, a22], [h11, h12, h22]);
+        let (f, terms) = (determinant + change_of_f, determinant + size);
         let (f11, f12, f22) = (a11 + h11, a12 + h12, a22 + h22);
-        if f <= SINGULAR * determinant || f11 <= 0.0 {
+        if f <= SINGULAR * determinant || f11 <= 0.0 || f <= ROUNDING * terms {
             return Err(Status::NotUnique);
         }
+        is_delicate = f < DELICATE * terms;
         let (f1, f2) = (dot(r, &b[0]), dot(r, &b[1]));
         (slopes[0], slopes[1]) = (f1, f2);
         (metric[0], metric[1]) = (a11, a22);
@@ -352,25 +366,53 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         slopes,
         metric,
         is_sharp,
+        is_delicate,
     })
 }
 
-/// det(a + h) − det a, without the products that vanish identically.
+/// a_11 and a_22 with det a of tangents that are neither zero nor parallel.
+#[inline(always)]
+fn tangents<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    b: &[[f64; D]; P],
+) -> Result<([f64; 2], f64), Status> {
+    let squares = [dot(&b[0], &b[0]), dot(&b[P - 1], &b[P - 1])];
+    if squares[0] < SMALLEST * SMALLEST || squares[1] < SMALLEST * SMALLEST {
+        return Err(Status::Degenerate);
+    }
+    let mut determinant = squares[0];
+    if P == 2 {
+        determinant = area_squared(&b[0], &b[1]);
+        if determinant <= SINGULAR * SINGULAR * squares[0] * squares[1] {
+            return Err(E::PARALLEL);
+        }
+    }
+    Ok((squares, determinant))
+}
+
+/// det(a + h) − det a, without the products that vanish identically, and the size of its terms.
 #[inline(always)]
 fn change_of_determinant<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     [a11, a12, a22]: [f64; 3],
     [h11, h12, h22]: [f64; 3],
-) -> f64 {
-    let mut sum = 0.0;
+) -> (f64, f64) {
+    let (mut sum, mut size) = (0.0, 0.0);
+    let mut add = |term: f64| {
+        sum += term;
+        size += abs(term);
+    };
     if E::CURVED[1] {
-        sum = -h12 * (a12 + a12 + h12);
+        add(-h12 * (a12 + a12 + h12));
     }
-    match (E::CURVED[0], E::CURVED[2]) {
-        (true, true) => sum + (a11 * h22 + a22 * h11 + h11 * h22),
-        (true, false) => sum + a22 * h11,
-        (false, true) => sum + a11 * h22,
-        (false, false) => sum,
+    if E::CURVED[0] {
+        add(a22 * h11);
     }
+    if E::CURVED[2] {
+        add(a11 * h22);
+    }
+    if E::CURVED[0] && E::CURVED[2] {
+        add(h11 * h22);
+    }
+    (sum, size)
 }
 
 /// |b_1×b_2|²

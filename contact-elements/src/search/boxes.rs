@@ -62,11 +62,11 @@ impl<'a> Search<'a> {
         self.sample(&whole);
         self.push(whole);
         while let Some(next) = self.pop() {
-            self.boxes += 1;
-            if self.boxes > MOST_BOXES {
+            if self.boxes == MOST_BOXES {
                 self.overflows = true;
                 break;
             }
+            self.boxes += 1;
             self.look(next, &mut scratch);
         }
         self.finish()

@@ -6,7 +6,8 @@
 
 use super::element::Element;
 use super::extent::limited;
-use super::projection::{Projected, step};
+use super::newton_step::step;
+use super::projection::Projected;
 use super::shape::Domain;
 use super::values::{Rows, Status, Vectors, dot};
 use crate::arithmetic::abs;

@@ -1,6 +1,7 @@
 //! Steps of the projection relative to the extent of each parameter. [eq:extent]
 
-use super::projection::{SMALLEST, largest};
+use super::newton_step::SMALLEST;
+use super::projection::largest;
 use super::values::{Vectors, dot};
 use crate::arithmetic::{abs, sqrt};
 

@@ -22,6 +22,7 @@ mod kernel;
 mod kinematics;
 mod lanes;
 mod motion;
+mod newton_step;
 mod placement;
 mod projection;
 mod receiver;

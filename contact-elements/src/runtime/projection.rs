@@ -8,7 +8,8 @@
 use super::constrained::constrained;
 use super::element::{Element, Search};
 use super::extent::{limited, measure_endless, nearest_integer};
-use super::values::{Rows, Status, Vectors, dot};
+use super::newton_step::{Step, step, tangents};
+use super::values::{Rows, Status, Vectors};
 use crate::arithmetic::abs;
 
 /// A converged projection.
@@ -26,16 +27,24 @@ pub struct Projected<const D: usize, const P: usize, const H: usize> {
 
 /// Most Newton steps before the projection is given up.
 const MOST_STEPS: u32 = 40;
-/// Tangents count as parallel, and F as singular, below this sine or relative determinant.
-const SINGULAR: f64 = 1e-13;
-/// det F below this part of its terms may vanish nearby.
-const DELICATE: f64 = 1e-6;
-/// det F below this part of its terms is rounding.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// Tangents count as nearly parallel below this sine.
-const SHARP: f64 = 1e-2;
-/// Lengths below this are zero [length].
-pub(super) const SMALLEST: f64 = 1e-30;
+
+/// The closed projection, on the turn nearest to the start.
+#[inline(always)]
+fn closed<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    x: &[[f64; D]],
+    start: &[f64; P],
+    parameters: &[f64],
+    rows: &Rows<'_, P>,
+) -> [f64; P] {
+    let mut zeta = E::closed_projection(&super::slave_point(x, rows.s, 0), parameters);
+    for (i, zeta) in zeta.iter_mut().enumerate() {
+        let period = E::PERIODS[i];
+        if period > 0.0 {
+            *zeta += period * nearest_integer((start[i] - *zeta) / period);
+        }
+    }
+    zeta
+}
 
 /// Projects the slave's point, whose row already stands in `rows`.
 #[inline(always)]
@@ -48,13 +57,7 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
 ) -> Result<Projected<D, P, H>, Status> {
     let mut zeta = start;
     if matches!(E::SEARCH, Search::Closed) && !given {
-        zeta = E::closed_projection(&super::slave_point(x, rows.s, 0), parameters);
-        for (i, zeta) in zeta.iter_mut().enumerate() {
-            let period = E::PERIODS[i];
-            if period > 0.0 {
-                *zeta += period * nearest_integer((start[i] - *zeta) / period);
-            }
-        }
+        zeta = closed::<E, D, P, H>(x, &start, parameters, rows);
     }
     let mut iterations = 0;
     let (mut is_free, mut is_checked) = (true, false);
@@ -270,20 +273,6 @@ fn finished(search: Search, iteration: u32, size: f64, previous: f64, is_sharp: 
         && square * size <= 1e-15 * (previous * previous)
 }
 
-/// A Newton step.
-pub(super) struct Step<const P: usize> {
-    /// −F⁻¹ f [eq:newton-step] [eq:det-F]
-    pub(super) change: [f64; P],
-    /// f
-    slopes: [f64; P],
-    /// a_ii
-    metric: [f64; P],
-    /// The tangents meet at an angle below about 0.01.
-    is_sharp: bool,
-    /// det F is small beside its terms: it may vanish nearby.
-    is_delicate: bool,
-}
-
 /// |f_i| ≤ 64 ε |b_i| times the largest coordinate: no larger than the rounding of its terms, with room for
 /// their sum.
 #[cold]
@@ -311,119 +300,4 @@ pub(super) fn largest<const D: usize>(x: &[[f64; D]]) -> f64 {
         }
     }
     largest
-}
-
-/// −F⁻¹ f, or why F cannot be inverted: zero area or length, parallel tangents, focal surface, a foot
-/// that is no minimum of the distance.
-#[inline(always)]
-pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    vectors: &Vectors<D, P, H>,
-) -> Result<Step<P>, Status> {
-    let Vectors { r, b, second } = vectors;
-    let (mut change, mut slopes, mut metric) = ([0.0; P], [0.0; P], [0.0; P]);
-    let mut is_sharp = false;
-    let is_delicate;
-    // r·r_,ij; a constant zero where there is no such derivative
-    let bend = |h: usize| {
-        if E::CURVED[h] {
-            dot(r, &second[h])
-        } else {
-            0.0
-        }
-    };
-    if P == 1 {
-        let ([a, _], _) = tangents::<E, D, P, H>(b)?;
-        let h = bend(0);
-        let f = a + h;
-        if f <= SINGULAR * a {
-            return Err(Status::NotUnique);
-        }
-        is_delicate = f < DELICATE * (a + abs(h));
-        let f1 = dot(r, &b[0]);
-        (slopes[0], metric[0]) = (f1, a);
-        change[0] = -f1 / f;
-    } else {
-        let ([a11, a22], determinant) = tangents::<E, D, P, H>(b)?;
-        let a12 = dot(&b[0], &b[1]);
-        is_sharp = determinant < SHARP * SHARP * a11 * a22;
-        let (h11, h12, h22) = (bend(0), bend(1), bend(2));
-        let (change_of_f, size) =
-            change_of_determinant::<E, D, P, H>([a11, a12, a22], [h11, h12, h22]);
-        let (f, terms) = (determinant + change_of_f, determinant + size);
-        let (f11, f12, f22) = (a11 + h11, a12 + h12, a22 + h22);
-        if f <= SINGULAR * determinant || f11 <= 0.0 || f <= ROUNDING * terms {
-            return Err(Status::NotUnique);
-        }
-        is_delicate = f < DELICATE * terms;
-        let (f1, f2) = (dot(r, &b[0]), dot(r, &b[1]));
-        (slopes[0], slopes[1]) = (f1, f2);
-        (metric[0], metric[1]) = (a11, a22);
-        change[0] = (f12 * f2 - f22 * f1) / f;
-        change[1] = (f12 * f1 - f11 * f2) / f;
-    }
-    Ok(Step {
-        change,
-        slopes,
-        metric,
-        is_sharp,
-        is_delicate,
-    })
-}
-
-/// a_11 and a_22 with det a of tangents that are neither zero nor parallel.
-#[inline(always)]
-fn tangents<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    b: &[[f64; D]; P],
-) -> Result<([f64; 2], f64), Status> {
-    let squares = [dot(&b[0], &b[0]), dot(&b[P - 1], &b[P - 1])];
-    if squares[0] < SMALLEST * SMALLEST || squares[1] < SMALLEST * SMALLEST {
-        return Err(Status::Degenerate);
-    }
-    let mut determinant = squares[0];
-    if P == 2 {
-        determinant = area_squared(&b[0], &b[1]);
-        if determinant <= SINGULAR * SINGULAR * squares[0] * squares[1] {
-            return Err(E::PARALLEL);
-        }
-    }
-    Ok((squares, determinant))
-}
-
-/// det(a + h) − det a, without the products that vanish identically, and the size of its terms.
-#[inline(always)]
-fn change_of_determinant<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    [a11, a12, a22]: [f64; 3],
-    [h11, h12, h22]: [f64; 3],
-) -> (f64, f64) {
-    let (mut sum, mut size) = (0.0, 0.0);
-    let mut add = |term: f64| {
-        sum += term;
-        size += abs(term);
-    };
-    if E::CURVED[1] {
-        add(-h12 * (a12 + a12 + h12));
-    }
-    if E::CURVED[0] {
-        add(a22 * h11);
-    }
-    if E::CURVED[2] {
-        add(a11 * h22);
-    }
-    if E::CURVED[0] && E::CURVED[2] {
-        add(h11 * h22);
-    }
-    (sum, size)
-}
-
-/// |b_1×b_2|²
-#[inline(always)]
-fn area_squared<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    let mut sum = 0.0;
-    for k in 0..D {
-        for l in k + 1..D {
-            let minor = a[k] * b[l] - a[l] * b[k];
-            sum += minor * minor;
-        }
-    }
-    sum
 }

@@ -72,7 +72,7 @@ fn crossing(
 ) -> EdgeCase {
     let line = Interpolation::new(Shape::Line2);
     let r0 = match gap {
-        GapKind::Distance => 0.5,
+        GapKind::Distance | GapKind::Oriented => 0.5,
         GapKind::Signed => 0.0,
     };
     EdgeCase {

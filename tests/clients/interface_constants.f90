@@ -80,7 +80,7 @@ contains
     integer :: i
     call compare('return codes', code, [(i, i=0, 1), (-i, i=1, 13)])
     call texts('texts of the return codes', code, cte_code_message)
-    call compare('arguments', argument, [(i, i=0, 33)])
+    call compare('arguments', argument, [(i, i=0, 38)])
     call texts('names of the arguments', argument, cte_argument_name)
     call client_check(cte_string(cte_argument_name(CTE_ARGUMENT_PARAMETERS)) == 'parameters', &
       'an argument''s name is the name of the field')

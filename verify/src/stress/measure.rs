@@ -157,11 +157,29 @@ pub fn judge(case: &Case, answer: &Answer, stream: &mut Stream) -> Option<Measur
             .filter(|&v| v != UNTOUCHED),
         verdict: Verdict::Exact,
     };
-    measurement.verdict = verdict(&measurement, answer, &truth, &disturbed);
+    measurement.verdict = verdict(case, &measurement, answer, (&truth, &disturbed));
     Some(measurement)
 }
 
-fn verdict(m: &Measurement, answer: &Answer, truth: &Truth, disturbed: &[Truth]) -> Verdict {
+/// Whether the foot that was meant exists no more, or the data leave open where it is: it moves by more than a
+/// share of the domain.
+fn wanders(case: &Case, truth: &Truth, disturbed: &Truth) -> bool {
+    let region = case.pair.region();
+    let stays = |a: &[f64; 2], b: &[f64; 2]| {
+        let within = |i: usize| (a[i] - b[i]).abs() <= DECIDED * region.extent(i);
+        (0..case.pair.parameters()).all(within)
+    };
+    let is_meant = truth.zeta.first().is_some_and(|z| stays(z, &case.target));
+    let mut both = truth.zeta.iter().zip(&disturbed.zeta);
+    !is_meant || !both.all(|(a, b)| stays(a, b))
+}
+
+fn verdict(
+    case: &Case,
+    m: &Measurement,
+    answer: &Answer,
+    (truth, disturbed): (&Truth, &[Truth]),
+) -> Verdict {
     if let Some(what) = not_finite(answer) {
         return Verdict::Failed(format!("{what} {NOT_FINITE}"));
     }
@@ -170,6 +188,7 @@ fn verdict(m: &Measurement, answer: &Answer, truth: &Truth, disturbed: &[Truth])
     };
     let spreads = [&m.residual, &m.tangent].map(|d| d.map_or(0.0, |d| d.spread));
     let undecided = disturbed.iter().any(|other| other.status != truth.status)
+        || disturbed.iter().any(|other| wanders(case, truth, other))
         || spreads.iter().any(|&spread| spread > DECIDED)
         || truth_spread(truth, disturbed) > DECIDED;
     let no_answer = truth.margin < LEAST_MARGIN;

@@ -105,7 +105,7 @@ fn curve(
         (sweep.deform)(&mut scene, value)?;
         let case = scene.case(&mut stream)?;
         let measured = measure(subject, &case, &mut stream)?;
-        Some(if sweep.is_beyond(value) {
+        Some(if series.is_beyond(sweep, value) {
             measured.beyond()
         } else {
             measured

@@ -97,6 +97,22 @@ fn where_the_data_decide_nothing_a_refusal_will_do() {
     assert_eq!(verdict(&case, &refused), Verdict::Undecided);
 }
 
+/// Newton's method once ended a step early here: the solve loses digits, so its convergence is not quadratic.
+#[test]
+fn nearly_parallel_tangents_are_solved_down_to_rounding() {
+    let subject = &named(&["PointQuad4"])[0];
+    let skew = SWEEPS.iter().find(|sweep| sweep.name == "skew").unwrap();
+    for sine in [1e-3, 1e-4, 2e-5] {
+        let mut stream = Stream::new(SEED, 0, 0);
+        let mut scene = Scene::typical(&subject.template, Load::Normal, &mut stream);
+        (skew.deform)(&mut scene, sine).unwrap();
+        scene.start = 1e-2;
+        let case = scene.case(&mut stream).unwrap();
+        let answer = call(subject, &case);
+        assert_eq!(verdict(&case, &answer), Verdict::Exact, "{sine:e}");
+    }
+}
+
 #[test]
 fn every_series_names_an_element_that_can_be_evaluated() {
     let subjects = subject::built_in().unwrap();

@@ -40,6 +40,8 @@ pub struct Truth {
     pub residual: Vec<Octuple>,
     /// Tangent by rows.
     pub tangent: Vec<Octuple>,
+    /// Projected parameters of every point; NaN where there are none.
+    pub zeta: Vec<[f64; 2]>,
     /// How far the worst point is from having no unique projection, see [`Foot::margin`].
     pub margin: f64,
 }
@@ -72,6 +74,7 @@ pub fn evaluate(state: &State<'_>) -> Option<Truth> {
         status: Status::Open,
         residual: vec![Octuple::zero(); unknowns],
         tangent: vec![Octuple::zero(); unknowns * unknowns],
+        zeta: vec![],
         margin: f64::INFINITY,
     };
     for q in 0..state.pair.points() {
@@ -103,8 +106,10 @@ impl State<'_> {
         let point = Point::new(self.pair, q);
         let Some(mut foot) = self.project(&point, self.start(q)) else {
             truth.margin = 0.0;
+            truth.zeta.push([f64::NAN; 2]);
             return Some(Status::NotConverged);
         };
+        truth.zeta.push(foot.z.map(Octuple::to_f64));
         truth.margin = truth.margin.min(foot.margin);
         if foot.margin <= 0.0 {
             return Some(Status::NotUnique);

@@ -100,7 +100,7 @@ fn panel(
     if legend {
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::Coordinate(470, 20))
+            .position(SeriesLabelPosition::Coordinate(488, 20))
             .label_font(("sans-serif", 11))
             .draw()?;
     }

@@ -7,7 +7,6 @@ pub const PENALTY: Sweep = Sweep {
     parameter: "penalty",
     range: [1e-6, 1e15],
     zero: false,
-    limit: None,
     series: FAMILIES,
     deform: |scene, value| {
         scene.set_penalty(value);
@@ -20,7 +19,6 @@ pub const TRACTION: Sweep = Sweep {
     parameter: "traction",
     range: [1.0, 1e-300],
     zero: false,
-    limit: None,
     series: FAMILIES,
     deform: |scene, value| {
         scene.set_penalty(value / scene.gap.abs());
@@ -33,7 +31,6 @@ pub const FRICTION: Sweep = Sweep {
     parameter: "coefficient of friction",
     range: [1e-6, 1e3],
     zero: true,
-    limit: None,
     series: &[
         slipped("PointTri3Coulomb"),
         slipped("PointQuad4Coulomb"),

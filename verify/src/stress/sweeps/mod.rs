@@ -17,9 +17,6 @@ pub struct Sweep {
     pub range: [f64; 2],
     /// Also at zero.
     pub zero: bool,
-    /// What lies beyond this value, towards the extreme, is measured but not judged by its error: the documented
-    /// limit of the method.
-    pub limit: Option<f64>,
     /// Elements, and how they are loaded.
     pub series: &'static [Series],
     /// What it does to a scene that is not yet placed; nothing where the scene has no such extreme.
@@ -33,6 +30,9 @@ pub struct Series {
     pub element: &'static str,
     /// Load along the tangent plane.
     pub load: Load,
+    /// What lies beyond this value, towards the extreme, is measured, but its error is not judged: the documented
+    /// limit of the method.
+    pub limit: Option<f64>,
 }
 
 impl Series {
@@ -40,21 +40,27 @@ impl Series {
     pub fn label(&self) -> String {
         format!("{}{}", self.element, self.load)
     }
-}
 
-impl Sweep {
-    /// Whether a value lies beyond the limit.
-    pub fn is_beyond(&self, value: f64) -> bool {
-        let [from, to] = self.range;
-        self.limit.is_some_and(|limit| {
+    /// Whether a value of the sweep lies beyond the limit.
+    pub fn is_beyond(&self, sweep: &Sweep, value: f64) -> bool {
+        let [from, to] = sweep.range;
+        let beyond = |limit| {
             if from < to {
                 value > limit
             } else {
                 value < limit
             }
-        })
+        };
+        self.limit.is_some_and(beyond)
     }
 
+    const fn up_to(mut self, limit: f64) -> Self {
+        self.limit = Some(limit);
+        self
+    }
+}
+
+impl Sweep {
     /// The values of the parameter, `points` of them and zero where it is among them.
     pub fn values(&self, points: usize) -> Vec<f64> {
         let [from, to] = self.range.map(f64::log10);
@@ -68,32 +74,28 @@ impl Sweep {
     }
 }
 
-const fn normal(element: &'static str) -> Series {
+const fn loaded(element: &'static str, load: Load) -> Series {
     Series {
         element,
-        load: Load::Normal,
+        load,
+        limit: None,
     }
+}
+
+const fn normal(element: &'static str) -> Series {
+    loaded(element, Load::Normal)
 }
 
 const fn sticks(element: &'static str) -> Series {
-    Series {
-        element,
-        load: Load::Utilised(0.3),
-    }
+    loaded(element, Load::Utilised(0.3))
 }
 
 const fn slips(element: &'static str) -> Series {
-    Series {
-        element,
-        load: Load::Utilised(3.0),
-    }
+    loaded(element, Load::Utilised(3.0))
 }
 
 const fn slipped(element: &'static str) -> Series {
-    Series {
-        element,
-        load: Load::Slipped(0.02),
-    }
+    loaded(element, Load::Slipped(0.02))
 }
 
 /// One of every kind of pair.

@@ -8,7 +8,6 @@ pub const ORIGIN: Sweep = Sweep {
     parameter: "distance from the origin / size",
     range: [1.0, 1e8],
     zero: false,
-    limit: None,
     series: FAMILIES,
     deform: |scene, value| {
         scene.shift = value;
@@ -21,7 +20,6 @@ pub const SCALE: Sweep = Sweep {
     parameter: "size of everything",
     range: [1e-9, 1e9],
     zero: false,
-    limit: None,
     series: FAMILIES,
     deform: |scene, value| {
         scene.scale = value;
@@ -34,7 +32,6 @@ pub const GAP: Sweep = Sweep {
     parameter: "penetration / size",
     range: [1.0, 1e-14],
     zero: false,
-    limit: None,
     series: &[
         normal("PointQuad4"),
         slips("PointQuad4Coulomb"),
@@ -66,7 +63,6 @@ pub const TINY_GAP: Sweep = Sweep {
     parameter: "penetration of a flat facet along z",
     range: [1e-14, 1e-300],
     zero: false,
-    limit: None,
     series: &[
         normal("PointTri3"),
         normal("PointQuad4"),
@@ -90,7 +86,6 @@ pub const ANGLE: Sweep = Sweep {
     parameter: "angle between two curves [rad]",
     range: [1.5, 1e-14],
     zero: false,
-    limit: None,
     series: &[
         normal("Line2Line2Beams"),
         sticks("Line2Line2BeamsCoulomb"),
@@ -116,7 +111,6 @@ pub const FOCAL: Sweep = Sweep {
     parameter: "distance to the focal surface / radius",
     range: [1.0, 1e-12],
     zero: false,
-    limit: None,
     series: &[
         normal("PointQuad9"),
         slips("PointQuad9Coulomb"),
@@ -132,6 +126,7 @@ pub const FOCAL: Sweep = Sweep {
     ],
     deform: |scene, value| {
         scene.start_nearer(value);
+        scene.bend(5.0);
         let distance = scene.focal_distance()? * (1.0 - value).max(0.02);
         if scene.pair.gap == GapKind::Distance {
             scene.pair.r0 = distance + 0.1;

@@ -92,7 +92,7 @@ pub const ANGLE: Sweep = Sweep {
         slips("Line2Line2BeamsCoulomb"),
         slips("Line2Line2EdgesCoulomb"),
         sticks("HermiteHermiteBeamsCoulomb"),
-        slips("HermiteHermiteEdgesCoulomb"),
+        slips("HermiteHermiteEdgesCoulomb").up_to(1e-8),
         normal("BezierCurve3BezierCurve3Beams"),
     ],
     deform: |scene, value| {

@@ -19,5 +19,6 @@ pub mod interpret;
 pub mod oracle;
 pub mod projections;
 pub mod proof;
+pub mod stress;
 pub mod subject;
 pub mod tolerance;

@@ -6,15 +6,17 @@ mod build;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{Args, Parser, Subcommand};
 use contact_verify::certify::{Extent, certify};
-use contact_verify::projections;
 use contact_verify::subject::{self, Subject};
+use contact_verify::{projections, stress};
 
 /// Generates the contact elements, builds the C library and proves every element.
 #[derive(Parser)]
-#[command(version)]
+#[command(version, args_conflicts_with_subcommands = true)]
 struct Options {
+    #[command(subcommand)]
+    command: Option<Command>,
     /// Random states per element and status.
     #[arg(long, default_value_t = 10_000)]
     states: u64,
@@ -38,8 +40,35 @@ struct Options {
     no_library: bool,
 }
 
+#[derive(Subcommand)]
+enum Command {
+    /// Measures numerical stability: one parameter at a time is driven to its extreme.
+    Stress(StressOptions),
+}
+
+#[derive(Args)]
+struct StressOptions {
+    /// Folder for curves, diagrams and `index.html`.
+    #[arg(long, default_value = "target/contact-elements/stress")]
+    output: PathBuf,
+    /// Only elements whose name contains this text.
+    #[arg(long, default_value = "")]
+    element: String,
+    /// Values of the parameter per sweep.
+    #[arg(long, default_value_t = 21, value_parser = clap::value_parser!(u16).range(2..))]
+    points: u16,
+    /// A few values per sweep only: seconds instead of minutes.
+    #[arg(long, conflicts_with = "points")]
+    quick: bool,
+}
+
 fn main() -> ExitCode {
-    match run(&Options::parse()) {
+    let options = Options::parse();
+    let outcome = match &options.command {
+        Some(Command::Stress(stress)) => run_stress(stress),
+        None => run(&options),
+    };
+    match outcome {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
@@ -56,14 +85,7 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
     } else {
         Some(build::c_library(&options.output)?)
     };
-    let subjects: Vec<Subject> = subject::built_in()
-        .map_err(|unknown| unknown.to_string())?
-        .into_iter()
-        .filter(|subject| subject.name().contains(&options.element))
-        .collect();
-    if subjects.is_empty() {
-        return Err(format!("no element's name contains `{}`", options.element).into());
-    }
+    let subjects = subjects(&options.element)?;
     if let Some(states) = options.projections {
         return Ok(projections::run(&subjects, states, options.seed) == 0);
     }
@@ -91,4 +113,26 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
         print!("{places}");
     }
     Ok(certificate.failed() == 0)
+}
+
+fn run_stress(options: &StressOptions) -> Result<bool, Box<dyn std::error::Error>> {
+    let subjects = subjects(&options.element)?;
+    let extent = if options.quick {
+        stress::Extent::QUICK
+    } else {
+        stress::Extent::of(options.points)
+    };
+    let report = stress::report::run(&subjects, extent, &options.output)?;
+    println!("{report}");
+    Ok(report.passed())
+}
+
+/// The built-in elements whose name contains a text.
+fn subjects(text: &str) -> Result<Vec<Subject>, Box<dyn std::error::Error>> {
+    let mut subjects = subject::built_in().map_err(|unknown| unknown.to_string())?;
+    subjects.retain(|subject| subject.name().contains(text));
+    if subjects.is_empty() {
+        return Err(format!("no element's name contains `{text}`").into());
+    }
+    Ok(subjects)
 }

@@ -255,9 +255,10 @@ fn displaced<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize
 }
 
 /// After a step of relative size `size`: is the next one below rounding? Quadratic convergence makes it
-/// C·size² with C = size/previous², but a single ratio can be small by luck, so C counts as at least 1. An
-/// affine pair needs a second step only to remove the rounding of a far start, and two more where the tangents
-/// are nearly parallel: a solve loses ε/sin²θ, each further one as much of what is left.
+/// C·size² with C = size/previous², but a single ratio can be small by luck, so C counts as at least 1; where the
+/// tangents are nearly parallel it is not quadratic, since the solve loses digits, and steps go on down to
+/// rounding. An affine pair needs a second step only to remove the rounding of a far start, and two more where
+/// the tangents are nearly parallel: a solve loses ε/sin²θ, each further one as much of what is left.
 #[inline(always)]
 fn finished(search: Search, iteration: u32, size: f64, previous: f64, is_sharp: bool) -> bool {
     if matches!(search, Search::Affine) {
@@ -268,6 +269,7 @@ fn finished(search: Search, iteration: u32, size: f64, previous: f64, is_sharp: 
     }
     let square = size * size;
     iteration > 1
+        && !is_sharp
         && size < 0.1 * previous
         && square <= 1e-15
         && square * size <= 1e-15 * (previous * previous)

@@ -50,6 +50,7 @@ pub mod kinematics;
 pub mod law;
 pub mod multiplier;
 pub mod number;
+pub mod octuple;
 pub mod pair;
 pub mod projection;
 pub mod rolling;

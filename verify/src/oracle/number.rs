@@ -7,8 +7,9 @@
 use num_dual::{Dual, Dual64, DualNum, HyperDual64};
 
 use super::geometry::declared::{DistanceEvaluator, ShapeEvaluator, SurfaceEvaluator};
+use super::octuple::Octuple;
 
-/// A (possibly nested) dual number over `f64`, with dispatch to run-time evaluators.
+/// A number that takes doubles as constants: `f64`, [`Octuple`] or (nested) duals over either, with dispatch to run-time evaluators.
 pub trait Number: DualNum<Primitive = f64> + Copy {
     /// Calls the method of a shape evaluator that belongs to this number type.
     fn shape_row(evaluator: &dyn ShapeEvaluator, z: [Self; 2], out: &mut [Self]);
@@ -73,6 +74,25 @@ number!(
     point_twice_nested_hyper,
     distance_twice_nested_hyper
 );
+number!(Octuple, row_octuple, point_octuple, distance_octuple);
+number!(
+    Dual<Octuple>,
+    row_dual_octuple,
+    point_dual_octuple,
+    distance_dual_octuple
+);
+number!(
+    Dual<Dual<Octuple>>,
+    row_nested_octuple,
+    point_nested_octuple,
+    distance_nested_octuple
+);
+number!(
+    Dual<Dual<Dual<Octuple>>>,
+    row_twice_nested_octuple,
+    point_twice_nested_octuple,
+    distance_twice_nested_octuple
+);
 
 macro_rules! base {
     ($type:ty) => {
@@ -94,3 +114,6 @@ base!(Dual64);
 base!(HyperDual64);
 base!(Dual<Dual64>);
 base!(Dual<HyperDual64>);
+base!(Octuple);
+base!(Dual<Octuple>);
+base!(Dual<Dual<Octuple>>);

@@ -195,6 +195,13 @@ impl Case {
         pad(&self.start)
     }
 
+    /// Residual and tangent by rows, all digits.
+    pub fn digits(&self) -> (Vec<&str>, Vec<&str>) {
+        let residual = self.expected.residual.iter().map(String::as_str);
+        let tangent = self.expected.tangent.iter().flatten().map(String::as_str);
+        (residual.collect(), tangent.collect())
+    }
+
     /// Expected values; `None` where a number cannot be read.
     pub fn expected(&self) -> Option<Values> {
         let numbers = |list: &[String]| -> Option<Vec<f64>> {

@@ -29,6 +29,7 @@ use num_dual::{Dual, Dual64, HyperDual64};
 
 use super::region::Region;
 use crate::oracle::number::Number;
+use crate::oracle::octuple::Octuple;
 
 /// A geometry interpolated from nodes, written once for all numbers.
 pub trait DeclaredShape: Debug + Send + Sync {
@@ -156,4 +157,8 @@ evaluators! {
     Dual<HyperDual64>, row_nested_hyper, point_nested_hyper, distance_nested_hyper;
     Dual<Dual<Dual64>>, row_twice_nested_dual, point_twice_nested_dual, distance_twice_nested_dual;
     Dual<Dual<HyperDual64>>, row_twice_nested_hyper, point_twice_nested_hyper, distance_twice_nested_hyper;
+    Octuple, row_octuple, point_octuple, distance_octuple;
+    Dual<Octuple>, row_dual_octuple, point_dual_octuple, distance_dual_octuple;
+    Dual<Dual<Octuple>>, row_nested_octuple, point_nested_octuple, distance_nested_octuple;
+    Dual<Dual<Dual<Octuple>>>, row_twice_nested_octuple, point_twice_nested_octuple, distance_twice_nested_octuple;
 }

@@ -81,6 +81,8 @@ pub(super) fn triangle_quadratic<D: Number>(z: [D; 2], out: &mut [D]) {
 #[inline]
 pub(super) fn hermite<D: Number>(t: D) -> [D; 4] {
     let b = bernstein(3, (t + 1.0) * 0.5);
-    let third = 2.0 / 3.0;
-    [b[0] + b[1], b[1] * third, b[2] + b[3], b[2] * (-third)]
+    // a quotient of full precision, not a product with a rounded 2/3: numbers of more digits come here as well
+    let third = D::from(2.0) / D::from(3.0);
+    let inner = |b: D| b * third;
+    [b[0] + b[1], inner(b[1]), b[2] + b[3], -inner(b[2])]
 }

@@ -167,6 +167,10 @@ impl<'a> Point<'a> {
                 let length = norm(k.r);
                 return (length, scale(k.r, length.recip()));
             }
+            (_, GapKind::Oriented) => {
+                let length = norm(k.r) * side;
+                return (length, scale(k.r, length.recip()));
+            }
             (_, GapKind::Signed) if self.pair.dimension == 2 => [k.b[0][1], -k.b[0][0], D::zero()],
             (_, GapKind::Signed) => cross(k.b[0], k.b[1]),
         };

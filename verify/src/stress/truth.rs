@@ -197,7 +197,7 @@ impl State<'_> {
         if p == 2 {
             margin = margin.min((det(&a) / (a[0][0] * a[1][1])).sqrt().to_f64());
         }
-        let by_distance = self.pair.gap == GapKind::Distance;
+        let by_distance = self.pair.gap != GapKind::Signed;
         if by_distance && dot(k.r, k.r).is_zero() {
             margin = 0.0;
         }

@@ -116,7 +116,7 @@ pub(super) fn weight<E: Element<D, P, H>, const D: usize, const P: usize, const 
     let tangents = E::curve_tangents(number, x, vectors, parameters);
     for tangent in &tangents {
         let square = dot(tangent, tangent);
-        if !(square >= SMALLEST * SMALLEST && square <= f64::MAX) {
+        if !(SMALLEST * SMALLEST..=f64::MAX).contains(&square) {
             return Err(Status::Degenerate);
         }
     }

@@ -432,7 +432,8 @@ int32_t cte_element_unknown(const cte_element *element, int32_t nnode, int32_t i
 int32_t cte_element_parameter(const cte_element *element, int32_t index, const char **name, const char **unit,
                               double *lower, double *upper, int32_t *closed);
 
-/* Checks count parameters. 0, or CTE_ERROR_PARAMETER / CTE_ERROR_NOT_FINITE with the first bad one in *index. */
+/* Checks count parameters. 0, or CTE_ERROR_PARAMETER / CTE_ERROR_NOT_FINITE with the first bad one in *index. Of the
+ * window of an element that acts at some angles of two curves, angle_high must exceed angle_low by 1e-6 rad. */
 int32_t cte_element_check_parameters(const cte_element *element, const double *parameters, int32_t count, int32_t *index);
 
 /* Writes the initial history: open, projection and anchor at the centre, slip path 0, angles and their paths 0. */

@@ -134,6 +134,23 @@ pub struct RollingDescription {
     pub tangent: Option<Program>,
 }
 
+/// Weight by the angle of two curves as declared, with its programs.
+#[derive(Clone, Copy, Debug)]
+pub struct AngleDescription {
+    /// True where the contact acts at small angles, false where at large ones.
+    pub small: bool,
+    /// Where `angle_low` stands in the parameters; `angle_high` follows.
+    pub window: usize,
+    /// Position in the window, and its rate.
+    pub position: Program,
+    /// w, w', w''.
+    pub weight: Program,
+    /// Form of the residual.
+    pub residual: Program,
+    /// Pairs of forms of the tangent; none for residual-only elements.
+    pub tangent: Option<Program>,
+}
+
 /// The programs of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementPrograms {
@@ -200,6 +217,8 @@ pub struct ElementDescription {
     pub axis: AxisDescription,
     /// Moments about two curves; none: they roll freely.
     pub rolling: Option<&'static RollingDescription>,
+    /// Weight by the angle of two curves; none: any angle.
+    pub angle: Option<&'static AngleDescription>,
     /// True where a rigid geometry is placed by parameters.
     pub placed: bool,
     /// True for a gap with a sign.

@@ -60,7 +60,7 @@ int client_contains(const char *text, const char *word)
 }
 
 /* A value inside the parameter's range: 100 for the penalty, 1/4 for coefficients of friction, 1 for the first
- * component of an axis, else the first of 0, 1, 1/2 that fits. */
+ * component of an axis and for the upper end of a window of angles, else the first of 0, 1, 1/2 that fits. */
 static double plain_value(const char *name, double lower, double upper, int32_t closed)
 {
   const double candidate[3] = {0.0, 1.0, 0.5};
@@ -68,7 +68,7 @@ static double plain_value(const char *name, double lower, double upper, int32_t 
     return 100.0; /* [force/length] */
   if (strncmp(name, "mu", 2) == 0)
     return 0.25;
-  if (strcmp(name, "axis_1") == 0)
+  if (strcmp(name, "axis_1") == 0 || strcmp(name, "angle_high") == 0)
     return 1.0;
   for (int i = 0; i < 3; i++)
     if ((candidate[i] > lower || ((closed & 1) && candidate[i] == lower)) &&

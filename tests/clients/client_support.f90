@@ -123,7 +123,7 @@ contains
   end function client_message
 
   ! A value inside the parameter's range: 100 for the penalty, 1/4 for coefficients of friction, 1 for the first
-  ! component of an axis, else the first of 0, 1, 1/2 that fits.
+  ! component of an axis and for the upper end of a window of angles, else the first of 0, 1, 1/2 that fits.
   pure function plain_value(name, lower, upper, closed) result(value)
     character(len=*), intent(in) :: name
     real(dp), intent(in) :: lower, upper
@@ -137,7 +137,7 @@ contains
     value = 0.25_dp
     if (index(name, 'mu') == 1) return
     value = 1
-    if (name == 'axis_1') return
+    if (name == 'axis_1' .or. name == 'angle_high') return
     do i = 1, 3
       value = candidate(i)
       above = value > lower .or. (btest(closed, 0) .and. value >= lower)

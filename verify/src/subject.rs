@@ -6,6 +6,7 @@ use contact_elements::runtime::Enforcement;
 
 use crate::catalogue::{CIRCLE_RADIUS, law, master, slave, tangential};
 use crate::configurations::Configuration;
+use crate::oracle::angle::Angle;
 use crate::oracle::geometry::{Placement, RigidDistance, RigidParametric};
 use crate::oracle::law::Law;
 use crate::oracle::multiplier::Multipliers;
@@ -73,6 +74,10 @@ impl Subject {
             r0: 0.0,
             law: law(description.law.name)?,
             tangential: tangential(description)?,
+            angle: description.angle.map(|angle| Angle {
+                small: angle.small,
+                window: [0.2, 0.6],
+            }),
             multipliers: match description.descriptor.enforcement {
                 Enforcement::Penalty => Multipliers::None,
                 Enforcement::Augmented => Multipliers::Held(vec![]),
@@ -137,6 +142,7 @@ impl Subject {
         }
         let directors = rolling.and_then(|rolling| rolling.directors);
         list.extend(directors.iter().flatten().flatten());
+        list.extend(pair.angle.iter().flat_map(|angle| angle.window));
         if self.description.placed {
             list.extend(placement_parameters(&pair.placement(), pair.dimension));
         }

@@ -196,6 +196,9 @@ pub(super) unsafe fn write<T>(to: *mut T, value: T) {
     }
 }
 
+/// Least width of a window of angles [rad].
+const LEAST_WINDOW: f64 = 1e-6;
+
 /// The first parameter that cannot be used, with its return code.
 #[inline]
 pub(super) fn bad_parameter(element: &Descriptor, values: &[f64]) -> Option<(i32, usize)> {
@@ -210,7 +213,10 @@ pub(super) fn bad_parameter(element: &Descriptor, values: &[f64]) -> Option<(i32
             return Some((code::PARAMETER, index));
         }
     }
-    None
+    let at = element.angle?;
+    let angle = |index: usize| values.get(index).copied().unwrap_or(0.0);
+    let is_window = angle(at + 1) - angle(at) >= LEAST_WINDOW;
+    (!is_window).then_some((code::PARAMETER, at + 1))
 }
 
 /// `cte_element_check_parameters`.

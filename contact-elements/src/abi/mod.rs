@@ -108,6 +108,8 @@ pub struct Descriptor {
     pub enforcement: Enforcement,
     /// True where it has moments about two curves.
     pub rolling: bool,
+    /// Where `angle_low` and `angle_high` stand in the parameters; none: the contact acts at any angle.
+    pub angle: Option<usize>,
     /// True where K is symmetric.
     pub symmetric: bool,
     /// True where the element offers a tangent.

@@ -2,6 +2,7 @@
 
 use core::cell::Cell;
 
+use super::angle::{self, Blend};
 use super::driver::Stage;
 use super::element::Element;
 use super::enforcement::enforced;
@@ -24,6 +25,8 @@ pub(super) struct Point<const D: usize, const P: usize, const H: usize> {
     pub(super) gap: Gap<D>,
     /// Of a closed point; of every point that has a multiplier.
     pub(super) law: Traction,
+    /// What the weight by the angle does to it.
+    pub(super) blend: Blend,
     /// λ; 0 where there is none.
     pub(super) multiplier: f64,
     pub(super) iterations: u32,
@@ -42,13 +45,16 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         .history
         .and_then(|history| history.get(number * E::HISTORY..));
     let given = call.wanted.projection_given;
-    let projected = project::<E, D, P, H>(
-        stage.x,
-        start::<E, D, P, H>(history),
-        given,
-        call.parameters,
-        &mut stage.rows,
-    )?;
+    let start = start::<E, D, P, H>(history);
+    let found = project::<E, D, P, H>(stage.x, start, given, call.parameters, &mut stage.rows);
+    let projected = match found {
+        Ok(projected) => projected,
+        Err(status) if E::ANGLE => {
+            let from = (start, status);
+            return angle::without_projection::<E, D, P, H>(call, stage, number, from);
+        }
+        Err(status) => return Err(status),
+    };
     let mut point = Point {
         status: Status::Outside,
         feature: projected.feature,
@@ -56,9 +62,21 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         vectors: projected.vectors,
         gap: Gap::default(),
         law: Traction::default(),
+        blend: Blend::default(),
         multiplier: 0.0,
         iterations: projected.iterations,
     };
+    let mut weight = [1.0, 0.0, 0.0];
+    if E::ANGLE {
+        weight = angle::weight::<E, D, P, H>(number, stage.x, &point.vectors, call.parameters)?;
+        if weight[0] <= 0.0 {
+            let mut silent = angle::open(point.zeta, point.vectors, point.iterations);
+            if angle::has_normal(stage.x, &silent.vectors) {
+                silent.gap = E::gap(&silent.vectors, call.parameters, 1.0);
+            }
+            return Ok(silent);
+        }
+    }
     if !E::SIGNED && is_zero(&point.vectors.r, largest(stage.x)) {
         return Err(Status::Degenerate);
     }
@@ -99,6 +117,9 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
             if E::ROLLING.is_some() {
                 roll::<E, D, P, H>(call, stage.x, number, &point, sliding)?;
             }
+        }
+        if E::ANGLE {
+            angle::weigh(&mut point, weight);
         }
         if call.wanted.tangent && !has_derivatives(&point.vectors) {
             return Err(Status::Degenerate);
@@ -187,7 +208,7 @@ fn is_finite<const N: usize>(values: &[f64; N]) -> bool {
 
 /// |r| is zero to rounding.
 #[inline(always)]
-fn is_zero<const D: usize>(r: &[f64; D], scale: f64) -> bool {
+pub(super) fn is_zero<const D: usize>(r: &[f64; D], scale: f64) -> bool {
     r.iter()
         .all(|&component| abs(component) <= (8.0 * f64::EPSILON * scale).max(1e-30))
 }

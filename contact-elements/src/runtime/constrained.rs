@@ -42,33 +42,57 @@ pub(super) fn constrained<E: Element<D, P, H>, const D: usize, const P: usize, c
     parameters: &[f64],
     rows: &mut Rows<'_, P>,
 ) -> Result<Projected<D, P, H>, Status> {
+    descend::<E, D, P, H>(
+        x,
+        &mut inside::<E, D, P, H>(start),
+        extent,
+        parameters,
+        rows,
+    )
+}
+
+/// Where the search from `start` ends, whatever it finds there.
+pub(super) fn nearest<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    x: &[[f64; D]],
+    start: [f64; P],
+    parameters: &[f64],
+    rows: &mut Rows<'_, P>,
+) -> ([f64; P], Vectors<D, P, H>) {
+    let extent = core::array::from_fn(E::extent);
     let mut zeta = inside::<E, D, P, H>(start);
-    let mut vectors = kinematics::<E, D, P, H>(x, &zeta, parameters, rows);
+    // the place is wanted, not the status
+    let _ = descend::<E, D, P, H>(x, &mut zeta, &extent, parameters, rows);
+    let vectors = kinematics::<E, D, P, H>(x, &zeta, parameters, rows);
+    (zeta, vectors)
+}
+
+/// The search; `zeta` is where it stands.
+fn descend<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    x: &[[f64; D]],
+    zeta: &mut [f64; P],
+    extent: &[f64; P],
+    parameters: &[f64],
+    rows: &mut Rows<'_, P>,
+) -> Result<Projected<D, P, H>, Status> {
+    let mut vectors = kinematics::<E, D, P, H>(x, zeta, parameters, rows);
     for iteration in 1..=MOST_STEPS {
-        let held = held::<E, D, P, H>(&zeta, &vectors, extent);
+        let held = held::<E, D, P, H>(zeta, &vectors, extent);
         let change = descent::<E, D, P, H>(&vectors, &held);
-        let taken = search::<E, D, P, H>(
-            x,
-            &mut zeta,
-            &mut vectors,
-            (change, extent),
-            parameters,
-            rows,
-        );
+        let taken = search::<E, D, P, H>(x, zeta, &mut vectors, (change, extent), parameters, rows);
         if taken > SMALL_STEP {
             continue;
         }
-        let held = self::held::<E, D, P, H>(&zeta, &vectors, extent);
+        let held = self::held::<E, D, P, H>(zeta, &vectors, extent);
         if held.count > 0 {
-            let feature = beyond::<E, D, P, H>(&zeta, &held, extent);
+            let feature = beyond::<E, D, P, H>(zeta, &held, extent);
             return Ok(Projected {
-                zeta,
+                zeta: *zeta,
                 vectors,
                 iterations: iteration,
                 feature,
             });
         }
-        return polish::<E, D, P, H>(x, (zeta, extent), parameters, iteration, rows);
+        return polish::<E, D, P, H>(x, (*zeta, extent), parameters, iteration, rows);
     }
     Err(Status::NotConverged)
 }

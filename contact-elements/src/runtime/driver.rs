@@ -3,6 +3,7 @@
 //! The first pass touches no output, so a failure leaves everything as it was. Open points return before
 //! anything that only closed contact needs.
 
+use super::angle;
 use super::classify::{Point, classify, load_slave, orientation};
 use super::contraction::{Temporaries, contract};
 use super::element::Element;
@@ -210,12 +211,18 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
                     receiver.force((a, k), s * force[k], first);
                 }
             }
+            if E::ANGLE {
+                angle::residual::<E, R, D, P, H>(call, stage, point, (number, weight), receiver);
+            }
         }
     }
     if call.wanted.tangent {
-        let point = (point, state);
         let pass = (number, &n, weight, first);
-        tangent::<E, R, D, P, H>(call, stage, receiver, placement, point, pass);
+        let both = (point, state);
+        tangent::<E, R, D, P, H>(call, stage, receiver, placement, both, pass);
+        if E::ANGLE {
+            angle::tangent::<E, R, D, P, H>(call, stage, point, (number, weight), receiver);
+        }
     }
     if E::MULTIPLIER {
         let place = (number, point, &n, weight);

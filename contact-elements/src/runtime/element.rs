@@ -1,5 +1,6 @@
 //! The contract between the emitted code of an element and the driver.
 
+use super::angle::{AngleCoefficients, AngleForm, Blend};
 use super::enforcement::Enforcement;
 use super::friction::{Tangential, TangentialLaw};
 use super::motion::{RollingCoefficients, RollingForce};
@@ -90,6 +91,9 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
 
     /// Where the parameters of rolling begin; none: two curves roll freely.
     const ROLLING: Option<RollingLayout> = None;
+
+    /// True where the contact is weighted by the angle of two curves.
+    const ANGLE: bool = false;
 
     /// Doubles of history per contact point: status and ζ; with friction the anchor and the slip path too; with
     /// rolling what [`Rolling`] remembers; a multiplier of the history last.
@@ -308,6 +312,57 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
         parameters: &[f64],
     ) -> RollingCoefficients<D, P> {
         RollingCoefficients::default()
+    }
+
+    /// Tangents of slave and master at a contact point of two curves.
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn curve_tangents(
+        point: usize,
+        x: &[[f64; D]],
+        vectors: &Vectors<D, P, H>,
+        parameters: &[f64],
+    ) -> [[f64; D]; 2] {
+        [[0.0; D]; 2]
+    }
+
+    /// Where sin²θ lies in the window of the weight, and how fast it moves with sin²θ. [eq:angle-window]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn angle_position(tangents: &[[f64; D]; 2], parameters: &[f64]) -> [f64; 2] {
+        [1.0, 0.0]
+    }
+
+    /// w, w', w'' at a position in [0, 1] with its rate. [eq:angle-weight]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn angle_weight(position: [f64; 2]) -> [f64; 3] {
+        [1.0, 0.0, 0.0]
+    }
+
+    /// The share of the weight in the residual. [eq:angle-residual]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn angle_force(
+        tangents: &[[f64; D]; 2],
+        vectors: &Vectors<D, P, H>,
+        gap: &Gap<D>,
+        blend: &Blend,
+    ) -> AngleForm<D> {
+        AngleForm::default()
+    }
+
+    /// The share of the weight in the tangent. [eq:angle-tangent]
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn angle_tangent(
+        tangents: &[[f64; D]; 2],
+        vectors: &Vectors<D, P, H>,
+        gap: &Gap<D>,
+        third: &[[f64; D]; 4],
+        blend: &Blend,
+    ) -> AngleCoefficients<D> {
+        AngleCoefficients::default()
     }
 
     /// Fills the rows s_A,iii where the angles move with them; zero on entry.

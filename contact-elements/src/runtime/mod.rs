@@ -9,6 +9,7 @@
 // [eq:…] names an equation of docs/, not an item; the documentation tests follow it
 #![allow(rustdoc::broken_intra_doc_links)]
 
+mod angle;
 mod classify;
 mod constrained;
 mod contraction;
@@ -34,6 +35,7 @@ mod tangential_contraction;
 mod transfer;
 mod values;
 
+pub use angle::{AngleCoefficients, AngleForm, Blend};
 pub use contraction::{Temporaries, contract};
 pub use driver::{Stage, evaluate};
 pub use element::{Element, Layout, Search, can_divide};

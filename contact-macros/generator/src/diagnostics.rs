@@ -3,6 +3,7 @@
 //! A message says what is wrong in the words of the language; its hint says what to write instead.
 //! Mistakes are collected so that one build shows all of them.
 
+pub mod angle;
 pub mod element;
 pub mod geometry;
 pub mod law;

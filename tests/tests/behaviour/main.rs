@@ -4,6 +4,7 @@
 //! print with `--nocapture` are those of `docs/verification.md`.
 #![allow(clippy::excessive_precision)] // exact answers, with the digits they were computed with
 
+mod all_angle;
 mod balance;
 mod crossing;
 mod cylinders;

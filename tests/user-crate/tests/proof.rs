@@ -180,6 +180,7 @@ fn subject(name: &str, slave: Slave, master: Master, law: Law, geometry: &[f64])
             r0: 0.0,
             law,
             tangential: None,
+            angle: None,
             multipliers: Multipliers::None,
         },
         law_parameters: SOFTENED.to_vec(),

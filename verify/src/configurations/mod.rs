@@ -4,9 +4,10 @@
 //! `index` of seed `seed` is always the same, whatever was generated before. The flow of one
 //! attempt: [`recipe`] draws the numbers of the pair, [`build`] sets the geometries so that the
 //! wanted status should hold, [`motion`] moves, turns and scales everything, [`multipliers`] and [`friction`] add what the
-//! points remember, and the oracle's own projection confirms status and conditioning; otherwise the attempt is repeated.
+//! points remember, `angle` a window of angles, and the oracle's own projection confirms status and conditioning; otherwise the attempt is repeated.
 //! [`edge_cases`] lists the states where elements tend to fail, with what must come out.
 
+mod angle;
 pub mod build;
 pub mod edge_cases;
 pub mod flat;
@@ -174,10 +175,18 @@ impl Generator {
     }
 
     fn attempt(&self, wanted: Wanted, stream: &mut Stream) -> Option<Configuration> {
-        let recipe = recipe::draw(&self.template, &self.freedom, wanted, stream);
+        // open because of the angle: penetrating without weight
+        let silent =
+            self.template.angle.is_some() && wanted == Wanted::Open && stream.index(2) == 0;
+        let depth = if silent { Wanted::Closed } else { wanted };
+        let mut recipe = recipe::draw(&self.template, &self.freedom, depth, stream);
+        let angle = recipe.pair.angle.take();
         let built = build::build(&recipe, wanted, stream)?;
         let mut moved = motion::apply(&recipe, built, &self.freedom, stream);
         moved.start = starts(&moved, stream)?;
+        moved.points = solve::reports(&moved.pair, &moved.state()).ok()?;
+        moved.pair.angle = angle;
+        angle::equip(&mut moved, silent, stream)?;
         moved.points = solve::reports(&moved.pair, &moved.state()).ok()?;
         multipliers::equip(&mut moved, wanted, stream)?;
         moved.points = solve::reports(&moved.pair, &moved.state()).ok()?;

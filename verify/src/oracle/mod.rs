@@ -2,7 +2,7 @@
 //!
 //! Read in this order: [`geometry`] (positions as functions of parameters), [`law`] (energy as a
 //! function of the gap), [`multiplier`] (what a multiplier adds to it), [`tangential`] (traction as a function of slip,
-//! pressure and path), [`rolling`] (angles about two curves), [`pair`]
+//! pressure and path), [`rolling`] (angles about two curves), [`angle`] (angles at which a contact acts), [`pair`]
 //! (one contact problem as data), [`kinematics`] (relative
 //! position, tangents, normal, gap), [`projection`] (closest point in doubles), [`solve`]
 //! (energy, residual and tangent from dual sweeps).
@@ -27,6 +27,7 @@
 //!     r0: 0.0,
 //!     law: Law::Penalty { eps_n: 1000.0 },
 //!     tangential: None,
+//!     angle: None,
 //!     multipliers: Multipliers::None,
 //! };
 //! let x = [
@@ -44,6 +45,7 @@
 //! assert!((evaluation.residual[2] + 50.0).abs() < 1e-12);
 //! ```
 
+pub mod angle;
 pub mod error;
 pub mod geometry;
 pub mod kinematics;

@@ -1,5 +1,6 @@
 //! One contact problem as data: slave, master, gap and law.
 
+use super::angle::Angle;
 use super::error::OracleError;
 use super::geometry::{
     Interpolation, MAX_NODES, Placement, Region, RigidDistance, RigidParametric,
@@ -119,6 +120,8 @@ pub struct Pair {
     pub law: Law,
     /// Tangential law; none: frictionless.
     pub tangential: Option<Tangential>,
+    /// Angles of two curves at which it acts; none: all of them.
+    pub angle: Option<Angle>,
     /// Multipliers beside the normal law.
     pub multipliers: Multipliers,
 }
@@ -252,6 +255,8 @@ impl Pair {
         self.law.defect().map_or(Ok(()), fail)?;
         let tangential = self.tangential.as_ref().and_then(|law| law.defect(self));
         tangential.map_or(Ok(()), |defect| fail(defect.into()))?;
+        let angle = self.angle.and_then(|angle| angle.defect(self));
+        angle.map_or(Ok(()), |defect| fail(defect.into()))?;
         self.placement()
             .defect()
             .map_or(Ok(()), |d| fail(d.into()))?;

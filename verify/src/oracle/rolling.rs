@@ -249,6 +249,7 @@ mod tests {
                 }),
                 ..Tangential::isotropic(law(50.0))
             }),
+            angle: None,
             multipliers: Multipliers::None,
         }
     }

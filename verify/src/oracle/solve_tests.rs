@@ -43,6 +43,7 @@ fn deformable() -> Vec<Pair> {
         r0: 0.0,
         law: law.clone(),
         tangential: None,
+        angle: None,
         multipliers: Multipliers::None,
     };
     list.map(pair).to_vec()
@@ -202,6 +203,7 @@ fn swapping_slave_and_master_curve_changes_nothing() {
         r0: 0.0,
         law: law.clone(),
         tangential: None,
+        angle: None,
         multipliers: Multipliers::None,
     };
     let configuration = closed(make(Shape::Line3, Shape::Line2), 0);

@@ -165,6 +165,7 @@ impl Case {
                 Some(_) => Some(self.law.tangential()?),
                 None => None,
             },
+            angle: None,
             multipliers: Multipliers::None,
         };
         if self.dim == pair.parameters() + 1 && !self.id.contains("beams") {

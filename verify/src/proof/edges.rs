@@ -34,6 +34,7 @@ pub fn fits(subject: &Subject, pair: &Pair) -> bool {
         && template.gap == pair.gap
         && std::mem::discriminant(&template.law) == std::mem::discriminant(&pair.law)
         && tangential_kind(template) == tangential_kind(pair)
+        && template.angle.map(|angle| angle.small) == pair.angle.map(|angle| angle.small)
         && slave_kind(&template.slave) == slave_kind(&pair.slave)
         && master_kind(&template.master) == master_kind(&pair.master)
 }

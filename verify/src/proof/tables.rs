@@ -114,6 +114,13 @@ pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
                 .description
                 .rolling
                 .and_then(|own| own.tangent.as_ref()),
+            subject.description.angle.map(|own| &own.position),
+            subject.description.angle.map(|own| &own.weight),
+            subject.description.angle.map(|own| &own.residual),
+            subject
+                .description
+                .angle
+                .and_then(|own| own.tangent.as_ref()),
         ]
         .into_iter()
         .flatten()

@@ -27,8 +27,8 @@ fn imports() -> TokenStream {
     quote! {
         #[allow(unused_imports)]
         use ::contact_elements::program::{
-            AxisDescription, ElementDescription, ElementPrograms, GeometryPrograms, LawPrograms,
-            MasterDescription, Operation, Program, RollingDescription, SlaveDescription,
+            AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
+            GeometryPrograms, LawPrograms, MasterDescription, Operation, Program, RollingDescription, SlaveDescription,
             TangentialLawPrograms, Term,
         };
         #[allow(unused_imports)]

@@ -45,6 +45,7 @@ pub struct Parameters {
     point: usize,
     axis: Option<usize>,
     directors: Option<usize>,
+    angle: Option<usize>,
     placement: Option<usize>,
 }
 
@@ -109,6 +110,13 @@ impl Parameters {
         if directors.is_some() {
             entries.extend(DIRECTORS.map(|name| free(name, "1", -infinity, infinity)));
         }
+        let angle = element.angle.is_some().then_some(entries.len());
+        if angle.is_some() {
+            entries.extend(["angle_low", "angle_high"].map(|name| Entry {
+                closed: true,
+                ..free(name, "rad", 0.0, std::f64::consts::FRAC_PI_2)
+            }));
+        }
         let placement = placed.then_some(entries.len());
         if placed {
             entries.extend(placement_entries(element.dimension));
@@ -125,8 +133,14 @@ impl Parameters {
             point,
             axis,
             directors,
+            angle,
             placement,
         }
+    }
+
+    /// Offset of the window of angles.
+    pub fn angle(&self) -> Option<usize> {
+        self.angle
     }
 
     /// Offset of the parameters of the law of rolling.

@@ -83,6 +83,13 @@ impl Motion {
             program.output_vector(&format!("{name}_{k}"), vector);
         }
     }
+
+    /// Adds the outputs of a form without third derivatives.
+    pub(super) fn output_lower(&self, program: &mut Program, name: &str) {
+        for (k, vector) in self.vectors().take(5).enumerate() {
+            program.output_vector(&format!("{name}_{k}"), vector);
+        }
+    }
 }
 
 /// The total variation of a vector of the two curves, as the three forms of its components.

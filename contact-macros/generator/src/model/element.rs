@@ -4,20 +4,21 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
+use super::angle::{Choices, Others, check_angle};
 use super::law_entries::{WrittenAxis, check_parameters, check_tangential, normal, tangential_law};
 use super::numeric;
 use super::pair::{Side, check_pair, master, only_gap, plain, slave};
 use super::registry::Registry;
 use super::rolling::check_reference;
 use super::types::{
-    Axis, Element, Enforcement, Gap, Law, Linearisation, Master, Measure, Reference, Rolling,
-    Slave, Tangential, TangentialLaw,
+    Angle, Axis, Element, Enforcement, Gap, Law, Linearisation, Master, Measure, Reference,
+    Rolling, Slave, Tangential, TangentialLaw,
 };
 use crate::diagnostics::{Mistakes, element as messages, names};
 use crate::syntax::{self, ElementItem, Word};
 
 /// The entries of an element, in the order of the documentation.
-const ENTRIES: [&str; 13] = [
+const ENTRIES: [&str; 14] = [
     "dimension",
     "slave",
     "master",
@@ -26,6 +27,7 @@ const ENTRIES: [&str; 13] = [
     "axis",
     "rolling",
     "director",
+    "angle",
     "enforcement",
     "gap",
     "linearisation",
@@ -76,6 +78,13 @@ pub(super) fn element(
     let linearised = linearisation.as_ref().map(|chosen| chosen.what);
     let choices = (gap, linearised, enforcement);
     entries.check_rolling(rolling.as_ref(), choices, mistakes);
+    let others = Others {
+        pair,
+        law: law.as_ref(),
+        choices,
+        measure,
+    };
+    let angle = entries.angle(&others, mistakes);
     let residual_only = entries.outputs(linearisation.as_ref(), mistakes);
     if mistakes.count() > before || !item.complete {
         return None;
@@ -99,6 +108,7 @@ pub(super) fn element(
             }),
             None => None,
         },
+        angle,
         gap: gap?,
         linearisation: linearisation?.what,
         measure: measure?,
@@ -262,11 +272,7 @@ impl<'a> Entries<'a> {
     fn check_rolling(
         &self,
         law: Option<&Side<Rc<TangentialLaw>>>,
-        (gap, linearisation, enforcement): (
-            Option<Gap>,
-            Option<Linearisation>,
-            Option<Enforcement>,
-        ),
+        (gap, linearisation, enforcement): Choices,
         mistakes: &mut Mistakes,
     ) {
         let Some(law) = law else { return };
@@ -283,6 +289,16 @@ impl<'a> Entries<'a> {
         if enforcement == Some(Enforcement::Multiplier) {
             mistakes.report(law.span, messages::rolling_with_multiplier(&name));
         }
+    }
+
+    /// At which angles the contact acts; `None` if at all of them, and after a mistake.
+    fn angle(&self, others: &Others<'_>, mistakes: &mut Mistakes) -> Option<Angle> {
+        self.get("angle")?;
+        let choices = [("large", Angle::Large), ("small", Angle::Small)];
+        let (angle, span) = self.choice("angle", choices, mistakes)?;
+        let has_friction = ["tangential", "rolling"].map(|key| self.get(key).is_some());
+        check_angle(others, has_friction.contains(&true), span?, mistakes);
+        Some(angle)
     }
 
     fn gap(&self, pair: Option<(usize, &Slave, &Master)>, mistakes: &mut Mistakes) -> Option<Gap> {

@@ -9,10 +9,11 @@
 //! | what do names of items stand for? | `registry` |
 //! | what do names in expressions stand for? | `scope`, `expression` |
 //! | which fields does a block have? | `fields` |
-//! | is this a geometry, a law, an element? | `geometry` (`domain`), `law`, `tangential`, `element` (`pair`, `rule`, `law_entries`, `rolling`) |
+//! | is this a geometry, a law, an element? | `geometry` (`domain`), `law`, `tangential`, `element` (`pair`, `rule`, `law_entries`, `rolling`, `angle`) |
 //! | which parameters are there? | `parameter` |
 //! | do the numbers agree? | `numeric` |
 
+mod angle;
 mod domain;
 mod element;
 mod expression;
@@ -37,7 +38,7 @@ use std::rc::Rc;
 pub use expression::{BinaryOperator, Expr, Function};
 pub use parameter::{RESERVED, RESERVED_PREFIXES};
 pub use types::{
-    Axis, Body, Bound, ClosedProjection, Domain, Element, Enforcement, Gap, Geometry, Law,
+    Angle, Axis, Body, Bound, ClosedProjection, Domain, Element, Enforcement, Gap, Geometry, Law,
     Linearisation, Master, Measure, Model, Parameter, Reference, Rolling, Rule, Slave, Tangential,
     TangentialLaw,
 };

@@ -149,6 +149,27 @@ pub(super) fn is_spring(law: &Law) -> bool {
             .all(is_linear)
 }
 
+/// The energy of a law vanishes where its contact begins: the product with a weight that moves has no jump.
+pub(super) fn energy_begins_at_zero(law: &Law) -> bool {
+    let Some(energy) = &law.energy else {
+        return false;
+    };
+    let parameters = typical(&law.parameters);
+    let (Bound::Below(limit) | Bound::Above(limit)) = &law.active;
+    let limit = evaluate(limit, &parameters);
+    let at = |gap: f64| {
+        let mut values = parameters.clone();
+        let gap_name = std::slice::from_ref(&law.gap);
+        extend(&mut values, gap_name, &[gap], &law.bindings);
+        evaluate(energy, &values)
+    };
+    let inside = match law.active {
+        Bound::Below(_) => limit - 0.1,
+        Bound::Above(_) => limit + 0.1,
+    };
+    at(limit).abs() <= 1e-12 * at(inside).abs()
+}
+
 /// What a curve by shape functions is as a polynomial of its coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Degree {

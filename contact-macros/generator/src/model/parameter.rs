@@ -8,7 +8,7 @@ use crate::diagnostics::{Mistakes, names as messages, short};
 use crate::syntax;
 
 /// Parameters that elements add on their own; declarations cannot use these names.
-pub const RESERVED: [&str; 16] = [
+pub const RESERVED: [&str; 18] = [
     "r0",
     "orientation",
     "weight",
@@ -16,6 +16,8 @@ pub const RESERVED: [&str; 16] = [
     "eta_2",
     "axis_1",
     "axis_2",
+    "angle_low",
+    "angle_high",
     "origin_x",
     "origin_y",
     "origin_z",

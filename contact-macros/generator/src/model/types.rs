@@ -196,6 +196,15 @@ pub enum Axis {
     Slave,
 }
 
+/// At which angles of two curves the contact acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Angle {
+    /// Large ones: the weight rises from zero to one over the window.
+    Large,
+    /// Small ones: the weight falls from one to zero over the window.
+    Small,
+}
+
 /// A contact element: a pair, a law and the choices made for it.
 #[derive(Debug, Clone)]
 pub struct Element {
@@ -217,6 +226,8 @@ pub struct Element {
     pub enforcement: Enforcement,
     /// Moments about two curves; none: they roll freely.
     pub rolling: Option<Rolling>,
+    /// At which angles of two curves it acts; none: at all.
+    pub angle: Option<Angle>,
     /// How the gap is measured.
     pub gap: Gap,
     /// Which linearisation of the gap the tangent uses.

@@ -6,9 +6,9 @@ mod _element_pointpoint2d {
     use super::*;
     #[allow(unused_imports)]
     use ::contact_elements::program::{
-        AxisDescription, ElementDescription, ElementPrograms, GeometryPrograms,
-        LawPrograms, MasterDescription, Operation, Program, RollingDescription,
-        SlaveDescription, TangentialLawPrograms, Term,
+        AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
+        GeometryPrograms, LawPrograms, MasterDescription, Operation, Program,
+        RollingDescription, SlaveDescription, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -194,6 +194,7 @@ mod _element_pointpoint2d {
                 friction: false,
                 enforcement: runtime::Enforcement::Penalty,
                 rolling: false,
+                angle: None,
                 symmetric: true,
                 tangent: true,
                 energy: false
@@ -376,6 +377,7 @@ mod _element_pointpoint2d {
             tangential: None,
             axis: AxisDescription::None,
             rolling: None,
+            angle: None,
             placed: false,
             signed: false,
             tangent_plane: false,

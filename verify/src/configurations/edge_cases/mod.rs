@@ -1,5 +1,6 @@
 //! States where elements tend to fail, each with what must come out.
 
+mod angles;
 mod curves;
 mod friction;
 mod rigid;
@@ -68,6 +69,7 @@ pub fn edge_cases() -> Vec<EdgeCase> {
     cases.extend(curves::edge_cases());
     cases.extend(rigid::edge_cases());
     cases.extend(friction::edge_cases());
+    cases.extend(angles::edge_cases());
     cases
 }
 
@@ -82,6 +84,7 @@ fn pair(dimension: usize, slave: Slave, master: Master, gap: GapKind, r0: f64) -
         r0,
         law,
         tangential: None,
+        angle: None,
         multipliers: Multipliers::None,
     }
 }

@@ -51,6 +51,7 @@ fn pair(dimension: usize, slave: Slave, master: Master, gap: GapKind) -> Pair {
         r0: 0.0,
         law,
         tangential: None,
+        angle: None,
         multipliers: Multipliers::None,
     }
 }

@@ -6,6 +6,7 @@ use super::couplings;
 use super::friction::{Friction, FrictionHistory};
 use super::point::{HyperPoint, PointSolution, Seed, Sweep};
 use super::{Evaluation, PointReport, PointStatus, State, locate, validate};
+use crate::oracle::angle;
 use crate::oracle::error::OracleError;
 use crate::oracle::kinematics::{Frame, Nodes};
 use crate::oracle::multiplier::Enforced;
@@ -81,7 +82,9 @@ fn energy_of(frame: &Frame<'_>, report: &PointReport) -> f64 {
         1.0
     };
     let held = report.friction.map_or(0.0, |friction| friction.energy);
-    frame.weight * measure * (energy.map_or(f64::NAN, |energy| energy.re) + held)
+    let here = frame.relative(&frame.nodes, report.zeta);
+    let factor = angle::factor(frame, &frame.nodes, &here);
+    frame.weight * measure * (factor * energy.map_or(f64::NAN, |energy| energy.re) + held)
 }
 
 /// Whether the measure depends on the unknowns.
@@ -170,11 +173,15 @@ impl<'a> Contribution<'a> {
 
     fn add(&self, wanted: &Wanted<'_>, out: &mut Evaluation) {
         let unknowns = out.residual.len();
-        let force = self.law.force(Dual64::from_re(self.point.report.gap)).re;
+        let gap = self.point.report.gap;
+        let force = self.point.factor * self.law.force(Dual64::from_re(gap)).re;
+        let energy = self.law.energy(HyperDual64::from_re(gap));
+        let energy = energy.map_or(0.0, |energy| energy.re);
         let normal = out.residual.iter_mut().zip(&self.point.gap_gradient);
         for (i, (entry, slope)) in normal.enumerate() {
             let tangential = self.friction.as_ref().map_or(0.0, |f| f.first(i));
-            *entry += self.weight * self.measure * (force * slope + tangential);
+            let turned = energy * self.point.factor_gradient[i];
+            *entry += self.weight * self.measure * (force * slope + turned + tangential);
         }
         match wanted {
             Wanted::Residual => {}
@@ -213,16 +220,25 @@ impl<'a> Contribution<'a> {
     #[inline]
     fn jet(&self, sweep: &mut Sweep, first: Seed<'_>, second: Seed<'_>) -> Jet {
         let HyperPoint {
-            gap, zeta, angles, ..
+            gap,
+            factor,
+            zeta,
+            angles,
+            ..
         } = self.point.hyper(sweep, first, second);
-        Jet { gap, zeta, angles }
+        Jet {
+            gap,
+            factor,
+            zeta,
+            angles,
+        }
     }
 
     /// Derivative along the second seed of the residual along the first; `slopes` are derivatives
     /// along the second.
     #[inline]
     fn second(&self, jet: &Jet, slopes: &Slopes) -> f64 {
-        let normal = self.normal(jet.gap, slopes.measure);
+        let normal = self.normal(jet, slopes.measure);
         self.friction.as_ref().map_or(normal, |friction| {
             let along = friction.along(slopes.traction, jet.zeta)
                 + friction.along_angles(slopes.moment, jet.angles);
@@ -231,13 +247,11 @@ impl<'a> Contribution<'a> {
     }
 
     #[inline]
-    fn normal(&self, gap: HyperDual64, slope: f64) -> f64 {
+    fn normal(&self, jet: &Jet, slope: f64) -> f64 {
+        let gap = jet.gap;
         if self.from_energy {
-            return self.weight
-                * self
-                    .law
-                    .energy(gap)
-                    .map_or(f64::NAN, |energy| energy.eps1eps2);
+            let energy = self.law.energy(gap);
+            return self.weight * energy.map_or(f64::NAN, |energy| (energy * jet.factor).eps1eps2);
         }
         let force = self.law.force(Dual64::new(gap.re, gap.eps2));
         let along = Dual64::new(gap.eps1, gap.eps1eps2);
@@ -245,9 +259,10 @@ impl<'a> Contribution<'a> {
     }
 }
 
-/// Gap, projected parameters and angles about two curves with derivatives along two seeds.
+/// Gap, factor of the energy, projected parameters and angles about two curves with derivatives along two seeds.
 struct Jet {
     gap: HyperDual64,
+    factor: HyperDual64,
     zeta: [HyperDual64; 2],
     angles: [HyperDual64; 2],
 }
@@ -258,6 +273,7 @@ impl Jet {
         let swap = |d: HyperDual64| HyperDual64::new(d.re, d.eps2, d.eps1, d.eps1eps2);
         Self {
             gap: swap(self.gap),
+            factor: swap(self.factor),
             zeta: self.zeta.map(swap),
             angles: self.angles.map(swap),
         }

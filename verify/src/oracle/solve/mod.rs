@@ -7,7 +7,8 @@
 //!
 //! Where the law has an energy and the measure does not move, residual and tangent are gradient
 //! and Hessian of `Σ_q w_q J_q W(g_q)`. Otherwise the residual is `Σ_q w_q J_q N(g_q) dg_q`, `dg`
-//! from the hyper-dual gap, and the tangent its derivative. Friction adds `Σ_q w_q J_q T_i dζ^i`, rolling
+//! from the hyper-dual gap, and the tangent its derivative. A contact that acts at some angles only has the energy
+//! `Σ_q w_q J_q f_q W(g_q)` with the factor f of [`angle`](super::angle). Friction adds `Σ_q w_q J_q T_i dζ^i`, rolling
 //! `Σ_q w_q J_q M_c dφ_c`.
 
 mod assemble;
@@ -23,6 +24,7 @@ pub use rolling::RollingReport;
 
 use num_dual::Dual64;
 
+use super::angle;
 use super::error::OracleError;
 use super::geometry::Feature;
 use super::kinematics::Frame;
@@ -79,7 +81,7 @@ pub struct PointReport {
     pub zeta: [f64; 2],
     /// Gap (length); if outside, distance to the boundary point minus `r0`; NaN if none.
     pub gap: f64,
-    /// N, zero if not closed.
+    /// N times the factor of the angle, zero if not closed.
     pub force: f64,
     /// Unit normal; NaN if outside or none was found.
     pub normal: [f64; 3],
@@ -259,10 +261,13 @@ fn judge(
     }
     report.normal = normal;
     report.gap = frame.gap(&relative);
+    let factor = angle::factor(frame, &frame.nodes, &relative);
     report.status = match frame.enforced.activity(report.gap) {
+        _ if factor == 0.0 => PointStatus::Open,
         Activity::Inactive => PointStatus::Open,
         Activity::Active => {
-            report.force = frame.enforced.force(Dual64::from_re(report.gap)).re;
+            let force = frame.enforced.force(Dual64::from_re(report.gap)).re;
+            report.force = factor * force;
             PointStatus::Closed
         }
         Activity::Infeasible => return Err(OracleError::Infeasible { gap: report.gap }),

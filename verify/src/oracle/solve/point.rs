@@ -8,6 +8,7 @@
 use num_dual::{Dual64, HyperDual64};
 
 use super::PointReport;
+use crate::oracle::angle;
 use crate::oracle::kinematics::{Frame, Nodes, Relative};
 use crate::oracle::number::Base;
 use crate::oracle::projection::Root;
@@ -32,6 +33,8 @@ pub struct HyperPoint {
     pub relative: Relative<HyperDual64>,
     /// Gap.
     pub gap: HyperDual64,
+    /// Factor of the energy by the angle of two curves; one without.
+    pub factor: HyperDual64,
     /// Angles about two curves; zero without rolling.
     pub angles: [HyperDual64; 2],
 }
@@ -53,6 +56,10 @@ pub struct PointSolution<'a> {
     pub report: PointReport,
     /// Gradient of the gap, one entry per unknown.
     pub gap_gradient: Vec<f64>,
+    /// Factor of the energy by the angle of two curves; one without.
+    pub factor: f64,
+    /// Its gradient, one entry per unknown.
+    pub factor_gradient: Vec<f64>,
     /// Gradient of the projected parameters, one entry per unknown.
     pub zeta_gradient: Vec<[f64; 2]>,
     /// Gradient of the angles about two curves, one entry per unknown; zero without rolling.
@@ -91,7 +98,10 @@ impl<'a> PointSolution<'a> {
     /// Completes a converged projection by its first derivatives.
     pub(super) fn new(frame: Frame<'a>, root: Root, report: PointReport) -> Self {
         let unknowns = frame.pair.unknowns();
+        let here = frame.relative(&frame.nodes, root.z);
         let mut solution = Self {
+            factor: angle::factor(&frame, &frame.nodes, &here),
+            factor_gradient: vec![0.0; unknowns],
             frame,
             root,
             report,
@@ -104,10 +114,13 @@ impl<'a> PointSolution<'a> {
             let frame = &solution.frame;
             frame.unknown(&mut nodes, i).eps = 1.0;
             let z = chord(frame, &root, &nodes, root.z.map(Dual64::from_re));
-            let gap = frame.gap(&frame.relative(&nodes, z));
+            let relative = frame.relative(&nodes, z);
+            let gap = frame.gap(&relative);
+            let factor = angle::factor(frame, &nodes, &relative);
             let angles = rolled(frame, &nodes, z);
             frame.unknown(&mut nodes, i).eps = 0.0;
             solution.gap_gradient[i] = gap.eps;
+            solution.factor_gradient[i] = factor.eps;
             solution.zeta_gradient[i] = z.map(|z| z.eps);
             if let Some(angles) = angles {
                 solution.angle_gradient[i] = angles.map(|angle| angle.eps);
@@ -134,6 +147,7 @@ impl<'a> PointSolution<'a> {
         let zeta = chord(&self.frame, &self.root, nodes, z);
         let relative = self.frame.relative(nodes, zeta);
         let gap = self.frame.gap(&relative);
+        let factor = angle::factor(&self.frame, nodes, &relative);
         let none = [HyperDual64::from_re(0.0); 2];
         let angles = rolled(&self.frame, nodes, zeta).unwrap_or(none);
         self.clear(nodes, first, |entry| entry.eps1 = 0.0);
@@ -142,6 +156,7 @@ impl<'a> PointSolution<'a> {
             zeta,
             relative,
             gap,
+            factor,
             angles,
         }
     }

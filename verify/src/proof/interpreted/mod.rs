@@ -3,6 +3,7 @@
 //! The tables give rows, kinematics, gap, law and coefficients; the library's level 2 contracts them. The
 //! projection is the one that the compiled element found.
 
+mod angle;
 mod friction;
 mod rolling;
 mod rows;
@@ -44,11 +45,17 @@ pub enum Place {
     RollingResidual,
     /// Coefficients of the tangent of the moments.
     RollingTangent,
+    /// Weight by the angle and its derivatives.
+    AngleWeight,
+    /// Form of the residual that the weight adds.
+    AngleResidual,
+    /// Pairs of forms of the tangent that the weight adds.
+    AngleTangent,
 }
 
 impl Place {
     /// All of them.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 14] = [
         Self::Law,
         Self::Tangent,
         Self::Measure,
@@ -60,6 +67,9 @@ impl Place {
         Self::RollingSliding,
         Self::RollingResidual,
         Self::RollingTangent,
+        Self::AngleWeight,
+        Self::AngleResidual,
+        Self::AngleTangent,
     ];
 }
 
@@ -91,6 +101,9 @@ pub fn program(subject: &Subject, place: Place) -> Option<&'static Program> {
         Place::RollingSliding => subject.description.rolling?.law.sliding.as_ref(),
         Place::RollingResidual => subject.description.rolling.map(|own| &own.residual),
         Place::RollingTangent => subject.description.rolling?.tangent.as_ref(),
+        Place::AngleWeight => subject.description.angle.map(|own| &own.weight),
+        Place::AngleResidual => subject.description.angle.map(|own| &own.residual),
+        Place::AngleTangent => subject.description.angle?.tangent.as_ref(),
     }
 }
 
@@ -225,7 +238,8 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
         let law = &self.subject.description.law.law;
         let mut inputs = vec![gap];
         inputs.extend_from_slice(self.parameters);
-        let law = interpret(law, &inputs, self.change(Place::Law));
+        let mut law = interpret(law, &inputs, self.change(Place::Law));
+        let blend = self.weigh(number, &point, &mut law);
         let multiplier = self.multiplier_of(number);
         let (traction, slope) = (law[0] + multiplier.unwrap_or(0.0), law[1]);
         let (weight, variation) = self.measure(&slopes, rule_weight);
@@ -254,6 +268,7 @@ impl<'a, const D: usize, const P: usize> Assembly<'a, D, P> {
             variation: &variation,
         };
         self.tangential(&point, &contact);
+        self.blended(blend, &point, (&n, distance, weight), zeta);
     }
 
     /// The multiplier beside the law of a point, where there is one.

@@ -70,6 +70,7 @@ impl Facts<'_> {
             Some(Axis::Slave) => quote! { AxisDescription::Slave },
         };
         let rolling = self.rolling_description();
+        let angle = self.angle_description();
         let (_, placed) = rigid(self.element);
         let signed = self.element.gap == Gap::Signed;
         let tangent_plane = self.element.linearisation == Linearisation::TangentPlane;
@@ -88,6 +89,7 @@ impl Facts<'_> {
                 tangential: #tangential,
                 axis: #axis,
                 rolling: #rolling,
+                angle: #angle,
                 placed: #placed,
                 signed: #signed,
                 tangent_plane: #tangent_plane,

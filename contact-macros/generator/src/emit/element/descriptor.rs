@@ -28,6 +28,7 @@ impl Facts<'_> {
         let has_tangent = self.tangent.is_some();
         let (slave, master) = (self.slave_description(), self.master_description());
         let layout = self.parameters.layout();
+        let angle = self.angle_offset();
         let enforcement = self.enforcement();
         let has_multiplier = self.element.enforcement != Enforcement::Penalty;
         let operations = self.operations();
@@ -62,6 +63,7 @@ impl Facts<'_> {
                             friction: #friction,
                             enforcement: #enforcement,
                             rolling: #rolling,
+                            angle: #angle,
                             symmetric: #symmetric,
                             tangent: #has_tangent,
                             energy: #has_multiplier
@@ -178,6 +180,9 @@ impl Facts<'_> {
         }
         if self.rolling().is_some() {
             absorb(&self.rolling_layout().to_string());
+        }
+        if self.angle.is_some() {
+            absorb(&self.angle_offset().to_string());
         }
         fnv(&all)
     }

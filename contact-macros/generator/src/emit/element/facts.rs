@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 
+use super::angle::Angle;
 use super::expressions::nodes;
 use super::friction::Friction;
 use crate::emit::divisors::Divisors;
@@ -24,6 +25,7 @@ pub(super) struct Facts<'a> {
     pub(super) tangent: Option<Emitted>,
     pub(super) measure: Option<Emitted>,
     pub(super) friction: Option<Friction>,
+    pub(super) angle: Option<Angle>,
     pub(super) divisors: Divisors,
 }
 
@@ -61,6 +63,7 @@ impl<'a> Facts<'a> {
                 _ => 0,
             },
             friction: Friction::new(element, &kinematics),
+            angle: Angle::new(element, &kinematics),
             element,
             kinematics,
             gap: Emitted::new(&gap, ""),
@@ -97,6 +100,7 @@ impl<'a> Facts<'a> {
         .into_iter()
         .flatten()
         .chain(self.friction.iter().flat_map(Friction::emitted))
+        .chain(self.angle.iter().flat_map(Angle::emitted))
     }
 
     /// The functions of the element's own programs; those of friction are shared.
@@ -109,6 +113,12 @@ impl<'a> Facts<'a> {
         .into_iter()
         .flatten()
         .map(Emitted::whole_function)
+        .chain(
+            self.angle
+                .iter()
+                .flat_map(Angle::emitted)
+                .map(Emitted::guarded_function),
+        )
     }
 
     /// Which nodes are tangent vectors.

@@ -112,9 +112,13 @@ impl Facts<'_> {
 
     /// `slave_tangent`: the slave curve's own tangent, where it is an axis.
     fn slave_tangent(&self, friction: &Friction) -> Option<TokenStream> {
-        let (Some(Axis::Slave), Slave::Integrated { geometry, rule }) =
-            (friction.axis, &self.element.slave)
-        else {
+        let needed = friction.axis == Some(Axis::Slave);
+        needed.then(|| self.fixed_tangent()).flatten()
+    }
+
+    /// `slave_tangent`: the tangent of a slave curve at an integration point.
+    pub(super) fn fixed_tangent(&self) -> Option<TokenStream> {
+        let Slave::Integrated { geometry, rule } = &self.element.slave else {
             return None;
         };
         let (d, n) = (self.element.dimension, nodes(geometry));
@@ -146,7 +150,7 @@ impl Facts<'_> {
         }
     }
 
-    fn direction_method(&self) -> TokenStream {
+    pub(super) fn direction_method(&self) -> TokenStream {
         let Slave::Integrated { geometry, rule } = &self.element.slave else {
             return quote! {};
         };
@@ -251,7 +255,7 @@ impl Facts<'_> {
         }
     }
 
-    fn higher_method(&self) -> TokenStream {
+    pub(super) fn higher_method(&self) -> TokenStream {
         let (d, p, h) = self.sizes();
         let master_weights = self.parameters.master_weights();
         let slave_weights = self.parameters.slave_weights();

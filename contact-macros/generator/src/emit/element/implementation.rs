@@ -51,6 +51,7 @@ impl Facts<'_> {
             self.tangent_method(),
             self.measure_method(),
             self.friction_methods(),
+            self.angle_methods(),
         ];
         quote! {
             impl runtime::Element<#d, #p, #h> for #name {

@@ -9,10 +9,12 @@
 //! | `gap`, `tangent`, `measure` | gap, coefficients of the tangent, area of a point |
 //! | `friction` | frame, residual and tangent of tangential contact |
 //! | `rolling` | angles about two curves and their moments |
+//! | `angle` | weight by the angle of two curves, its share of residual and tangent |
 //! | `friction_tangent` | that tangent as a call that elements share |
 //! | `descriptor` | what the C interface knows |
 //! | `description` | what the verification knows |
 
+mod angle;
 mod description;
 mod descriptor;
 mod expressions;

@@ -19,7 +19,7 @@ fn entries_of_elements() {
         "element E { slave: point; master: Quad4; normal: Penalty; «damping: Viscous; }",
         "an element has no entry `damping`",
         "an element has the entries `dimension`, `slave`, `master`, `normal`, `tangential`, `axis`, \
-         `rolling`, `director`, `enforcement`, `gap`, `linearisation`, `measure` and `outputs`",
+         `rolling`, `director`, `angle`, `enforcement`, `gap`, `linearisation`, `measure` and `outputs`",
     );
     assert_mistake(
         "element E { slave: point; master: Quad4; «master: Tri3; normal: Penalty; }",

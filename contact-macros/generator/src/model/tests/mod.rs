@@ -1,5 +1,6 @@
 //! One case per message: text in, message, hint and place out.
 
+mod angle;
 mod element;
 mod geometry;
 mod law;

@@ -151,7 +151,7 @@ fn names_that_elements_keep() {
 }
 
 const RESERVED_HINT: &str = "choose another name; reserved are `r0`, `orientation`, `weight`, \
-    `eta_1`, `eta_2`, `axis_1`, `axis_2`, `origin_x`, `origin_y`, `origin_z`, `quaternion_w`, `quaternion_x`, \
+    `eta_1`, `eta_2`, `axis_1`, `axis_2`, `angle_low`, `angle_high`, `origin_x`, `origin_y`, `origin_z`, `quaternion_w`, `quaternion_x`, \
     `quaternion_y`, `quaternion_z`, `direction_x`, `direction_y`, `master_weight_*`, \
     `slave_weight_*`, `master_director_*` and `slave_director_*`";
 

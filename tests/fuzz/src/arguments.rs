@@ -5,7 +5,7 @@ use std::ptr::{null, null_mut};
 use contact_elements::abi::Arguments;
 
 use crate::check::OUTPUT_SIZE;
-use crate::element::{Element, info};
+use crate::element::Element;
 use crate::harness::Harness;
 use crate::memory::Output;
 use crate::plan::{Array, Plan, request};
@@ -26,14 +26,14 @@ pub struct Arrays {
     pub workspace: Output<f64>,
 }
 
-/// Puts all arrays where they can be watched.
+/// Puts all arrays where they can be watched; `workspace`: doubles that the call needs.
 pub fn place(
     harness: &mut Harness,
     element: &Element,
     plan: &Plan,
+    workspace: i64,
 ) -> Result<(Arguments, Arrays), String> {
     let (state, edge, d) = (&plan.state, plan.edge, element.dimension());
-    let workspace = info(&harness.interface, element.pointer, state.nodes as i32)?.workspace;
     let workspace_size = workspace.saturating_sub(plan.short);
     let room = workspace_size.clamp(0, workspace + 1000) as usize;
     let (arrays, old) = outputs(harness, element, plan, room);

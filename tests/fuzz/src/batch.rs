@@ -5,11 +5,12 @@ use std::ptr::{null, null_mut};
 
 use contact_elements::abi::Batch;
 
+use crate::called::{check_exceptions, mode};
 use crate::check::{OUTPUT_SIZE, digest, unchanged, untouched};
 use crate::contacts::{Contacts, contacts, parameters};
 use crate::element::{Element, info};
 use crate::entropy::Entropy;
-use crate::evaluate::{check_exceptions, mode, perform};
+use crate::evaluate::perform;
 use crate::harness::{Checked, Harness};
 use crate::ledger::function;
 use crate::memory::Output;

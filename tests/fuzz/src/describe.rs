@@ -58,7 +58,7 @@ fn versions(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     // SAFETY: no arguments.
     let version = harness.call(VERSION, || unsafe { version() });
     let major = entropy.pick(&[1, 1, 1, 0, 2, u32::MAX, version]);
-    let size = entropy.pick(&[160_u32, 160, 168, u32::MAX, 159, 8, 4, 0]);
+    let size = entropy.struct_size::<ApiTable>();
     let room = (size as usize).clamp(4, size_of::<ApiTable>() + 64);
     let mut before = vec![0x5a_u8; room];
     before[..4].copy_from_slice(&size.to_ne_bytes());
@@ -165,7 +165,7 @@ fn nodes(harness: &Harness, at: usize, entropy: &mut Entropy) -> i32 {
 fn info(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     let at = harness.element(entropy);
     let (nnode, edge) = (nodes(harness, at, entropy), edge(entropy));
-    let size = entropy.pick(&[152_u32, 152, 152, 160, u32::MAX, 151, 4, 0]);
+    let size = entropy.struct_size::<Info>();
     let room = (size as usize).clamp(4, size_of::<Info>() + 64);
     let mut before = vec![0x5a_u8; room];
     before[..4].copy_from_slice(&size.to_ne_bytes());

@@ -1,12 +1,10 @@
-//! Where decisions come from: a generator with a seed, or the bytes that a coverage-guided fuzzer hands in.
+//! Where decisions come from: a generator with a seed.
 
 use rand::RngCore;
 use rand_pcg::Pcg64Mcg;
 
-/// A stream of decisions. Bytes are used up first, then numbers of the generator follow.
+/// A stream of decisions.
 pub struct Entropy {
-    bytes: Vec<u8>,
-    at: usize,
     generator: Pcg64Mcg,
 }
 
@@ -17,32 +15,12 @@ impl Entropy {
         let mixed = mixed.wrapping_mul(0x9e37_79b9_7f4a_7c15_f39c_c060_5ced_c835);
         let mut generator = Pcg64Mcg::new(mixed ^ (mixed >> 61));
         generator.next_u64();
-        Self {
-            bytes: Vec::new(),
-            at: 0,
-            generator,
-        }
+        Self { generator }
     }
 
-    /// A stream that begins with these bytes.
-    pub fn of_bytes(bytes: &[u8]) -> Self {
-        Self {
-            bytes: bytes.to_vec(),
-            ..Self::of_call(0, 0)
-        }
-    }
-
-    /// `count` random bytes as a number; few where few suffice, so that a byte of the input is a decision.
+    /// `count` random bytes as a number.
     fn number(&mut self, count: usize) -> u64 {
-        let mut number = 0;
-        for _ in 0..count {
-            let Some(&byte) = self.bytes.get(self.at) else {
-                return self.generator.next_u64() >> (64 - 8 * count);
-            };
-            self.at += 1;
-            number = (number << 8) | u64::from(byte);
-        }
-        number
+        self.generator.next_u64() >> (64 - 8 * count)
     }
 
     /// 64 random bits.
@@ -80,6 +58,12 @@ impl Entropy {
     /// Ten to a power in [lower, upper).
     pub fn power(&mut self, lower: f64, upper: f64) -> f64 {
         10.0_f64.powf(self.between(lower, upper))
+    }
+
+    /// The size that a struct of a call may begin with: mostly its own.
+    pub fn struct_size<T>(&mut self) -> u32 {
+        let whole = size_of::<T>() as u32;
+        self.pick(&[whole, whole, whole, whole + 8, u32::MAX, whole - 1, 4, 0])
     }
 
     /// A double as nobody would send it on purpose; `other` is the value it replaces or one beside it.
@@ -138,13 +122,5 @@ mod tests {
         assert_ne!(first(1, 5), first(1, 6));
         assert_ne!(first(1, 5), first(2, 5));
         assert_ne!(first(1, 2), first(2, 1));
-    }
-
-    #[test]
-    fn bytes_decide_before_the_generator() {
-        let mut entropy = Entropy::of_bytes(&[0, 7, 0, 3]);
-        assert_eq!(entropy.below(100), 7);
-        assert_eq!(entropy.below(100), 3);
-        assert!(entropy.unit() < 1.0);
     }
 }

@@ -2,9 +2,10 @@
 
 use std::ptr::{null, null_mut};
 
+use crate::called::{check_exceptions, mode};
 use crate::check::{OUTPUT_SIZE, untouched, written};
 use crate::entropy::Entropy;
-use crate::evaluate::{check_exceptions, mode, perform, plan};
+use crate::evaluate::{perform, plan};
 use crate::harness::{Checked, Harness};
 use crate::ledger::function;
 use crate::memory::Output;

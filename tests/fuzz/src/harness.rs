@@ -10,7 +10,7 @@ use crate::interface::Interface;
 use crate::ledger::{Ledger, count};
 use crate::memory::Slot;
 use crate::traps::Exceptions;
-use crate::{batch, describe, evaluate, fortran, histories, project, sparse};
+use crate::{batch, describe, evaluate, fortran, histories, patch, project, sparse};
 
 /// What a case ends with: nothing, or what was found.
 pub type Checked = Result<(), String>;
@@ -55,6 +55,10 @@ pub struct Slots {
     pub global_f: Slot,
     /// Results of a projection.
     pub result: Slot,
+    /// The struct of a patch.
+    pub patch: Slot,
+    /// Its connectivity.
+    pub connectivity: Slot,
     /// Integers behind addresses.
     pub integers: [Slot; 6],
 }
@@ -81,6 +85,8 @@ impl Slots {
             csr_values: Slot::new()?,
             global_f: Slot::new()?,
             result: Slot::new()?,
+            patch: Slot::new()?,
+            connectivity: Slot::new()?,
             integers: [
                 Slot::new()?,
                 Slot::new()?,
@@ -146,6 +152,7 @@ impl Harness {
             96..144 => fortran::case(self, entropy),
             144..160 => sparse::case(self, entropy),
             160..256 => batch::case(self, entropy),
+            256..260 => patch::case(self, entropy),
             _ => evaluate::case(self, entropy),
         }
     }

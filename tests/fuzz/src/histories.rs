@@ -2,9 +2,10 @@
 
 use std::ptr::{null, null_mut};
 
+use crate::called::Outcome;
 use crate::check::{OUTPUT_SIZE, is_status, is_usable, unchanged};
 use crate::entropy::Entropy;
-use crate::evaluate::{Outcome, initial, perform, plan};
+use crate::evaluate::{initial, perform, plan};
 use crate::harness::{Checked, Harness};
 use crate::ledger::function;
 use crate::memory::{Edge, Output};

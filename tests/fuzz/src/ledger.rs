@@ -8,7 +8,7 @@ use std::sync::atomic::Ordering::Relaxed;
 use rustix::mm::{MapFlags, ProtFlags, mmap};
 
 /// Functions of the interface; the last stands for the symbols of all elements.
-pub const FUNCTIONS: [&str; 27] = [
+pub const FUNCTIONS: [&str; 29] = [
     "cte_abi_version",
     "cte_api",
     "cte_element_count",
@@ -22,6 +22,8 @@ pub const FUNCTIONS: [&str; 27] = [
     "cte_history_transfer",
     "cte_history_augment",
     "cte_element_project",
+    "cte_patch_info",
+    "cte_patch_evaluate",
     "cte_element_evaluate",
     "cte_element_batch_workspace",
     "cte_element_evaluate_batch",

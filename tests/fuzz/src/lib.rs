@@ -2,12 +2,14 @@
 
 pub mod arguments;
 pub mod batch;
+pub mod called;
 pub mod check;
 pub mod contacts;
 pub mod describe;
 pub mod element;
 pub mod entropy;
 pub mod evaluate;
+pub mod facets;
 pub mod fortran;
 pub mod harness;
 pub mod histories;
@@ -16,6 +18,7 @@ pub mod ledger;
 pub mod memory;
 pub mod numbers;
 pub mod parent;
+pub mod patch;
 pub mod plan;
 pub mod project;
 pub mod report;

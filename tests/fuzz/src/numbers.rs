@@ -115,7 +115,7 @@ mod tests {
         assert_eq!(NUMBERS.code(0), Ok("CTE_SUCCESS"));
         assert_eq!(NUMBERS.code(-13), Ok("CTE_ERROR_ELEMENT"));
         assert_eq!(NUMBERS.status(8), Ok("CTE_STATUS_LAW"));
-        assert_eq!(NUMBERS.argument(33), Ok("CTE_ARGUMENT_RESULT"));
+        assert_eq!(NUMBERS.argument(38), Ok("CTE_ARGUMENT_VERTEX"));
         assert_eq!(NUMBERS.verdicts.len(), 5);
         assert_eq!(NUMBERS.kinds.len(), 7);
         assert!(NUMBERS.code(2).is_err() && NUMBERS.code(-14).is_err());

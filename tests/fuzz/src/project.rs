@@ -6,9 +6,11 @@ use std::ptr::{null, null_mut};
 use contact_elements::abi::{Arguments, Projection};
 
 use crate::arguments::place;
+use crate::called::mode;
 use crate::check::{untouched, written};
+use crate::element::info;
 use crate::entropy::Entropy;
-use crate::evaluate::{mode, perform, plan};
+use crate::evaluate::{perform, plan};
 use crate::harness::{Checked, Harness};
 use crate::ledger::{count, function};
 use crate::memory::Output;
@@ -53,7 +55,8 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     }
     let no_result = entropy.chance(1, 50);
     let with_history = entropy.chance(2, 3);
-    let (arguments, arrays) = place(harness, &element, &plan)?;
+    let workspace = info(&harness.interface, element.pointer, plan.state.nodes as i32)?.workspace;
+    let (arguments, arrays) = place(harness, &element, &plan, workspace)?;
     // SAFETY: a struct without padding is bytes.
     let bytes: [u8; size_of::<Arguments>()] = unsafe { std::mem::transmute(arguments) };
     let size = match plan.struct_size {

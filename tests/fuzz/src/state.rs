@@ -211,7 +211,7 @@ fn vector(element: &Element, positions: usize, a: usize) -> bool {
 }
 
 /// A node of a curve along x (of a slave curve along y), or of a facet in the plane; a point at the origin.
-fn template(element: &Element, a: usize, count: usize, slave: bool, vector: bool) -> [f64; 3] {
+pub fn template(element: &Element, a: usize, count: usize, slave: bool, vector: bool) -> [f64; 3] {
     const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let along = |t: f64| match slave && element.dimension() == 3 {
         true => [0.2 * t, t, 0.0],
@@ -243,7 +243,7 @@ fn template(element: &Element, a: usize, count: usize, slave: bool, vector: bool
 }
 
 /// A value within the range of a parameter.
-fn parameter(range: &Range, entropy: &mut Entropy) -> f64 {
+pub fn parameter(range: &Range, entropy: &mut Entropy) -> f64 {
     if entropy.chance(1, 32) {
         let bounds = [range.lower, range.upper];
         let bound = entropy.pick(&bounds);

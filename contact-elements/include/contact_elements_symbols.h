@@ -567,34 +567,58 @@ int32_t cte_hermite_hermite_beams_rolling_director(cte_arguments *arguments);
 #define CTE_LINE2_LINE2_BEAMS_ROLLING 137
 int32_t cte_line2_line2_beams_rolling(cte_arguments *arguments);
 
+/* Point against a vertex of a body: distance with a side. */
+#define CTE_POINT_POINT_ORIENTED 138
+int32_t cte_point_point_oriented(cte_arguments *arguments);
+
+/* Point against a straight edge of a body: distance with a side. */
+#define CTE_POINT_LINE2_ORIENTED 139
+int32_t cte_point_line2_oriented(cte_arguments *arguments);
+
+/* Point against a parabolic edge of a body: distance with a side. */
+#define CTE_POINT_LINE3_ORIENTED 140
+int32_t cte_point_line3_oriented(cte_arguments *arguments);
+
+/* Point against a quadratic Bezier edge of a body: distance with a side. */
+#define CTE_POINT_BEZIER_CURVE2_ORIENTED 141
+int32_t cte_point_bezier_curve2_oriented(cte_arguments *arguments);
+
+/* Point against a quadratic rational edge of a body: distance with a side. */
+#define CTE_POINT_RATIONAL_CURVE2_ORIENTED 142
+int32_t cte_point_rational_curve2_oriented(cte_arguments *arguments);
+
+/* Point against a corner of a body in the plane: distance with a side. */
+#define CTE_POINT_POINT_ORIENTED2D 143
+int32_t cte_point_point_oriented2d(cte_arguments *arguments);
+
 /* Two straight beams at large angles: point contact, weighted by the angle. */
-#define CTE_LINE2_LINE2_BEAMS_LARGE_ANGLE 138
+#define CTE_LINE2_LINE2_BEAMS_LARGE_ANGLE 144
 int32_t cte_line2_line2_beams_large_angle(cte_arguments *arguments);
 
 /* Two straight beams at small angles: line contact, weighted by the angle. */
-#define CTE_LINE2_LINE2_LINE_CONTACT_SMALL_ANGLE 139
+#define CTE_LINE2_LINE2_LINE_CONTACT_SMALL_ANGLE 145
 int32_t cte_line2_line2_line_contact_small_angle(cte_arguments *arguments);
 
 /* Two cubic Hermite beams at large angles: point contact, weighted by the angle. */
-#define CTE_HERMITE_HERMITE_BEAMS_LARGE_ANGLE 140
+#define CTE_HERMITE_HERMITE_BEAMS_LARGE_ANGLE 146
 int32_t cte_hermite_hermite_beams_large_angle(cte_arguments *arguments);
 
 /* Two cubic Hermite beams at small angles: line contact, weighted by the angle. */
-#define CTE_HERMITE_HERMITE_LINE_CONTACT_SMALL_ANGLE 141
+#define CTE_HERMITE_HERMITE_LINE_CONTACT_SMALL_ANGLE 147
 int32_t cte_hermite_hermite_line_contact_small_angle(cte_arguments *arguments);
 
 /* One point of a straight beam on a straight beam at small angles: line contact with a rule of the host, weighted by */
 /* the angle. */
-#define CTE_LINE2_LINE2_LINE_CONTACT_SMALL_ANGLE_AT_POINT 142
+#define CTE_LINE2_LINE2_LINE_CONTACT_SMALL_ANGLE_AT_POINT 148
 int32_t cte_line2_line2_line_contact_small_angle_at_point(cte_arguments *arguments);
 
 /* One point of a cubic Hermite beam on a cubic Hermite beam at small angles: line contact with a rule of the host, */
 /* weighted by the angle. */
-#define CTE_HERMITE_HERMITE_LINE_CONTACT_SMALL_ANGLE_AT_POINT 143
+#define CTE_HERMITE_HERMITE_LINE_CONTACT_SMALL_ANGLE_AT_POINT 149
 int32_t cte_hermite_hermite_line_contact_small_angle_at_point(cte_arguments *arguments);
 
 /* Straight beam against rational quadratic beam at large angles: point contact, power law, weighted by the angle. */
-#define CTE_LINE2_RATIONAL_CURVE2_BEAMS_LARGE_ANGLE 144
+#define CTE_LINE2_RATIONAL_CURVE2_BEAMS_LARGE_ANGLE 150
 int32_t cte_line2_rational_curve2_beams_large_angle(cte_arguments *arguments);
 
 #ifdef __cplusplus

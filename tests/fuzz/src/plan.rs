@@ -169,8 +169,11 @@ impl Plan {
         if row == 0 && column == 0 {
             return Some([rows, 1]);
         }
-        // nothing that the plan makes lies between: refused, or small
-        let fits = |stride: i64| (1..1 << 16).contains(&stride).then_some(stride as usize);
+        // nothing that the plan makes lies between: refused, or small; a single entry has no distance to another
+        let fits = |stride: i64| match rows {
+            0 | 1 if stride > 0 => Some(1),
+            _ => (1..1 << 16).contains(&stride).then_some(stride as usize),
+        };
         Some([fits(row)?, fits(column)?])
     }
 

@@ -76,7 +76,6 @@ pub fn factor<D: Base>(frame: &Frame<'_>, nodes: &Nodes<D>, at: &Relative<D>) ->
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use num_dual::HyperDual64;
 
     /// Value, slope and curvature meet at both ends of the window, and the factor rises in between.

@@ -352,12 +352,7 @@ fn curves_end_in_points() {
     for (sign, r0) in [(1.0, 0.3), (-1.0, 0.0)] {
         // left normals: up, and to the right (outside a corner) or left (inside)
         let nodes = vec![-sign, 0.0, 0.0, 0.0, 0.0, -sign];
-        let connectivity: &'static [i32] = if sign > 0.0 {
-            &[1, 0, 2, 1]
-        } else {
-            &[1, 0, 2, 1]
-        };
-        let mut surface = Surface::new(plane, nodes, connectivity, r0);
+        let mut surface = Surface::new(plane, nodes, &[1, 0, 2, 1], r0);
         surface.parameters[2] = -sign;
         let p = [sign * 0.1, sign * 0.15];
         let distance = (0.01_f64 + 0.0225).sqrt();

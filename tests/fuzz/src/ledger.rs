@@ -96,7 +96,7 @@ pub struct Ledger {
     pub contacts: [AtomicU64; ELEMENTS],
     /// Calls in which documented exceptions were raised.
     pub exceptions: AtomicU64,
-    /// Processor time of the slowest call of each function [ns], and its number.
+    /// Processor time of the slowest call of each function \[ns\], and its number.
     pub slowest: [[AtomicU64; 2]; FUNCTIONS.len()],
 }
 

@@ -1,6 +1,6 @@
 //! Numerical stability: one parameter at a time is driven from harmless to extreme, and the errors of residual
 //! and tangent are measured in units of their *spread*, the change that half a unit in the last place of every
-//! coordinate makes ([`measure`]). Truth and spread are evaluated in octuple precision ([`truth`]).
+//! coordinate makes ([mod@measure]). Truth and spread are evaluated in octuple precision ([`truth`]).
 //!
 //! [`sweeps`] lists what is swept, [`scene`] makes the states, [`report`] writes curves, tables and diagrams.
 

@@ -42,7 +42,7 @@ pub struct Truth {
     pub tangent: Vec<Octuple>,
     /// Projected parameters of every point; NaN where there are none.
     pub zeta: Vec<[f64; 2]>,
-    /// How far the worst point is from having no unique projection, see [`Foot::margin`].
+    /// How far the worst point is from having no unique projection, see `Foot`.
     pub margin: f64,
 }
 

@@ -8,7 +8,7 @@
 //! Where the law has an energy and the measure does not move, residual and tangent are gradient
 //! and Hessian of `Σ_q w_q J_q W(g_q)`. Otherwise the residual is `Σ_q w_q J_q N(g_q) dg_q`, `dg`
 //! from the hyper-dual gap, and the tangent its derivative. A contact that acts at some angles only has the energy
-//! `Σ_q w_q J_q f_q W(g_q)` with the factor f of [`angle`](super::angle). Friction adds `Σ_q w_q J_q T_i dζ^i`, rolling
+//! `Σ_q w_q J_q f_q W(g_q)` with the factor f of [`super::angle`]. Friction adds `Σ_q w_q J_q T_i dζ^i`, rolling
 //! `Σ_q w_q J_q M_c dφ_c`.
 
 mod assemble;

@@ -27,7 +27,7 @@ struct Arguments {
     /// Processes; 0: as many as processors
     #[arg(long, default_value_t = 0)]
     jobs: u64,
-    /// Longest time that a call may take [s]
+    /// Longest time that a call may take, in seconds
     #[arg(long, default_value_t = 30.0)]
     limit: f64,
     /// Findings that end the run

@@ -4,7 +4,7 @@ use std::ptr::{null, null_mut};
 
 use contact_elements::abi::{ApiTable, Info};
 
-use crate::element::text;
+use crate::element::{Range, text};
 use crate::entropy::Entropy;
 use crate::harness::{Checked, Harness};
 use crate::ledger::function;
@@ -335,17 +335,7 @@ fn check_parameters(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     harness.ledger.code(CHECK, code);
     NUMBERS.code(code)?;
     index.check_margins("index")?;
-    let first = (0..element.parameters.len()).find(|&at| match values[..given].get(at) {
-        None => true,
-        Some(value) => {
-            let range = &element.parameters[at];
-            let inside = match range.closed {
-                true => *value >= range.lower && *value <= range.upper,
-                false => *value > range.lower && *value < range.upper,
-            };
-            !inside || !crate::check::is_usable(*value)
-        }
-    });
+    let first = first_bad(&element.parameters, &values[..given]);
     let found = index.values()[0];
     let fine = match first.filter(|_| missing > 1) {
         Some(first) => code < 0 && (found == first as i32 || missing == 2),
@@ -353,6 +343,27 @@ fn check_parameters(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     };
     expect(fine, || {
         format!("first bad parameter {first:?}, index {found}, code {code}")
+    })
+}
+
+/// The first parameter outside its range; else the upper end of a window of angles narrower than 1e-6 rad.
+fn first_bad(ranges: &[Range], values: &[f64]) -> Option<usize> {
+    let is_bad = |&at: &usize| match values.get(at) {
+        None => true,
+        Some(value) => {
+            let range = &ranges[at];
+            let inside = match range.closed {
+                true => *value >= range.lower && *value <= range.upper,
+                false => *value > range.lower && *value < range.upper,
+            };
+            !inside || !crate::check::is_usable(*value)
+        }
+    };
+    (0..ranges.len()).find(is_bad).or_else(|| {
+        let named = |name: &str| ranges.iter().position(|range| range.name == name);
+        let (low, high) = (named("angle_low")?, named("angle_high")?);
+        let is_window = values[high] - values[low] >= 1e-6;
+        (!is_window).then_some(high)
     })
 }
 

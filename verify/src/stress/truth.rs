@@ -60,6 +60,7 @@ pub fn is_supported(pair: &Pair) -> bool {
     let friction = pair.tangential.as_ref();
     matches!(pair.law, Law::Penalty { .. })
         && pair.multipliers == Multipliers::None
+        && pair.angle.is_none()
         && friction
             .is_none_or(|own| is_known(&own.law) && own.rolling.is_none() && !own.tangent_plane)
 }

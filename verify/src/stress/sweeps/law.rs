@@ -22,10 +22,11 @@ pub const TRACTION: Sweep = Sweep {
     series: FAMILIES,
     deform: |scene, value| {
         // tangential stiffnesses below 1e-200 are refused by the status law
-        if scene.pair.tangential.is_some() && value < 1e-190 {
-            return None;
-        }
-        scene.set_penalty(value / scene.gap.abs());
+        let least = match scene.pair.tangential {
+            Some(_) => 1e-190,
+            None => 0.0,
+        };
+        scene.set_penalty(value.max(least) / scene.gap.abs());
         Some(())
     },
 };

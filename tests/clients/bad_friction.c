@@ -79,6 +79,11 @@ static void parameters(void)
   bench_canary(&b);
   client_check(bench_evaluate(&b) == CTE_CUT_BACK && b.a.status == CTE_STATUS_LAW && bench_untouched(&b),
                "friction, stiffnesses whose quotient is no number");
+  bench_open(&b, "PointQuad4Orthotropic");
+  bench_set(&b, "eps_n", 1e-190);
+  b.hist_old[0] = CTE_STATUS_STICK;
+  b.hist_old[3] = b.hist_old[1] + 0.25;
+  client_check(bench_evaluate(&b) == CTE_SUCCESS && b.a.status == CTE_STATUS_SLIP, "friction, next to no pressure");
 }
 
 static void histories(void)

@@ -106,6 +106,12 @@ contains
     found = bench_evaluate(b)
     call client_check(found == CTE_CUT_BACK .and. b%a%status == CTE_STATUS_LAW .and. bench_untouched(b), &
       'friction, stiffnesses whose quotient is no number')
+    call bench_open(b, 'PointQuad4Orthotropic')
+    b%parameters(bench_parameter(b, 'eps_n') + 1) = 1e-190_dp
+    b%hist_old(1) = CTE_STATUS_STICK
+    b%hist_old(4) = b%hist_old(2) + 0.25_dp
+    found = bench_evaluate(b)
+    call client_check(found == CTE_SUCCESS .and. b%a%status == CTE_STATUS_SLIP, 'friction, next to no pressure')
   end subroutine parameters
 
   subroutine not_finite()

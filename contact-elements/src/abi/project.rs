@@ -151,7 +151,12 @@ unsafe fn start(element: &Descriptor, history: *mut f64, number: usize, closest:
     let (p, size) = (element.projected, element.point_history());
     // SAFETY: promised by the caller.
     let entries = unsafe { core::slice::from_raw_parts_mut(history.add(number * size), size) };
-    let at = |i: usize| closest.zeta.get(i).copied().unwrap_or(0.0);
+    // a foot so far away that no evaluation takes it is no start
+    let at = |i: usize| {
+        let (zeta, centre) = (closest.zeta.get(i), element.centre.get(i));
+        let zeta = zeta.filter(|&&zeta| element.can_be_projection(i, zeta));
+        zeta.or(centre).copied().unwrap_or(0.0)
+    };
     for (index, entry) in entries.iter_mut().enumerate() {
         *entry = match index.checked_sub(1) {
             Some(i) if i < p => at(i),

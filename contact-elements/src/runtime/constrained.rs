@@ -6,7 +6,7 @@
 
 use super::element::Element;
 use super::extent::limited;
-use super::newton_step::step;
+use super::newton_step::{have_normal, step};
 use super::projection::Projected;
 use super::shape::Domain;
 use super::values::{Rows, Status, Vectors, dot};
@@ -42,13 +42,12 @@ pub(super) fn constrained<E: Element<D, P, H>, const D: usize, const P: usize, c
     parameters: &[f64],
     rows: &mut Rows<'_, P>,
 ) -> Result<Projected<D, P, H>, Status> {
-    descend::<E, D, P, H>(
-        x,
-        &mut inside::<E, D, P, H>(start),
-        extent,
-        parameters,
-        rows,
-    )
+    let mut zeta = inside::<E, D, P, H>(start);
+    let found = descend::<E, D, P, H>(x, &mut zeta, extent, parameters, rows)?;
+    if E::SIGNED {
+        have_normal(&found.vectors.b, E::PARALLEL)?;
+    }
+    Ok(found)
 }
 
 /// Where the search from `start` ends, whatever it finds there.

@@ -72,8 +72,8 @@ impl TangentialLaw for Frictionless {
     }
 }
 
-/// Bounds below this part of the trial force count as zero: no quotient of the two overflows.
-const LEAST_BOUND: f64 = 1e-200;
+/// Bounds below this part of the trial force count as zero: no square of a quotient of the two overflows.
+const LEAST_BOUND: f64 = 1e-150;
 /// Least ratio of the axes of an ellipse.
 const THINNEST: f64 = 1e-13;
 /// Most steps to the ellipse.

@@ -51,6 +51,20 @@ pub(crate) fn can_be_anchor(value: f64, centre: f64, extent: f64) -> bool {
     is_usable(value) && abs(value - centre) <= FARTHEST * extent
 }
 
+/// Whether all of them are anchors.
+#[inline(never)]
+pub(super) fn can_be_anchors<const P: usize>(
+    values: &[f64; P],
+    centre: &[f64; P],
+    extent: &[f64; P],
+) -> bool {
+    let mut possible = true;
+    for i in 0..P {
+        possible &= can_be_anchor(values[i], centre[i], extent[i]);
+    }
+    possible
+}
+
 /// Whether a projection lies within [`FARTHEST_PROJECTION`] extents of the middle of a bounded domain.
 #[inline(always)]
 pub(crate) fn can_be_projection(value: f64, centre: f64, extent: f64) -> bool {

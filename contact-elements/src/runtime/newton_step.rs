@@ -48,7 +48,7 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         }
     };
     if P == 1 {
-        let ([a, _], _) = tangents::<E, D, P, H>(b)?;
+        let ([a, _], _) = tangents(b, E::PARALLEL)?;
         let h = bend(0);
         let f = a + h;
         if f <= SINGULAR * a {
@@ -59,7 +59,7 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         (slopes[0], metric[0]) = (f1, a);
         change[0] = -f1 / f;
     } else {
-        let ([a11, a22], determinant) = tangents::<E, D, P, H>(b)?;
+        let ([a11, a22], determinant) = tangents(b, E::PARALLEL)?;
         let a12 = dot(&b[0], &b[1]);
         is_sharp = determinant < SHARP * SHARP * a11 * a22;
         let (h11, h12, h22) = (bend(0), bend(1), bend(2));
@@ -89,10 +89,11 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
     })
 }
 
-/// a_11 and a_22 with det a of tangents that are neither zero nor parallel.
+/// a_11 and a_22 with det a of tangents that are neither zero nor, which is reported as `parallel`, parallel.
 #[inline(always)]
-pub(super) fn tangents<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+pub(super) fn tangents<const D: usize, const P: usize>(
     b: &[[f64; D]; P],
+    parallel: Status,
 ) -> Result<([f64; 2], f64), Status> {
     let squares = [dot(&b[0], &b[0]), dot(&b[P - 1], &b[P - 1])];
     if squares[0] < SMALLEST * SMALLEST || squares[1] < SMALLEST * SMALLEST {
@@ -102,10 +103,19 @@ pub(super) fn tangents<E: Element<D, P, H>, const D: usize, const P: usize, cons
     if P == 2 {
         determinant = area_squared(&b[0], &b[1]);
         if determinant <= SINGULAR * SINGULAR * squares[0] * squares[1] {
-            return Err(E::PARALLEL);
+            return Err(parallel);
         }
     }
     Ok((squares, determinant))
+}
+
+/// Whether there is a normal: at a corner where nodes coincide there is none. Off the fast path, so shared.
+#[inline(never)]
+pub(super) fn have_normal<const D: usize, const P: usize>(
+    b: &[[f64; D]; P],
+    parallel: Status,
+) -> Result<(), Status> {
+    tangents(b, parallel).map(|_| ())
 }
 
 /// det(a + h) − det a, without the products that vanish identically.

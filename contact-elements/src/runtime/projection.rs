@@ -81,7 +81,7 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
     if P > 0 && is_free && is_checked {
         // the last step may lead to where a tangent vanishes; those of an affine pair are the same everywhere
         if !matches!(E::SEARCH, Search::Affine) {
-            tangents::<E, D, P, H>(&vectors.b)?;
+            tangents(&vectors.b, E::PARALLEL)?;
         }
     } else if P > 0 && is_free {
         match step::<E, D, P, H>(&vectors) {
@@ -93,14 +93,9 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
     if !is_free {
         let found = apart::<E, D, P, H>(x, start, &extent, parameters, rows)?;
         // once more here: what a call leaves in memory would have every other path go through memory
-        let vectors = E::kinematics(x, &found.zeta, parameters, rows);
-        if E::SIGNED {
-            // a corner where nodes coincide has no normal
-            tangents::<E, D, P, H>(&vectors.b)?;
-        }
         return Ok(Projected {
             zeta: found.zeta,
-            vectors,
+            vectors: E::kinematics(x, &found.zeta, parameters, rows),
             iterations: found.iterations,
             feature: found.feature,
         });

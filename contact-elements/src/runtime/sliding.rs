@@ -8,6 +8,7 @@ use super::classify::Point;
 use super::driver::{Stage, scale_variation};
 use super::element::Element;
 use super::friction::{Tangential, return_map};
+use super::kernel::can_be_anchors;
 use super::placement::Placement;
 use super::receiver::{Call, Receiver};
 use super::rolling::Rolling;
@@ -97,6 +98,14 @@ pub(super) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
     sliding.path = path;
     if status == Status::Slip {
         sliding.move_anchor(&zeta, s);
+        // tangents so nearly parallel that no history could say where the slip began
+        if !can_be_anchors(
+            &sliding.anchor,
+            &E::centre(),
+            &core::array::from_fn(E::extent),
+        ) {
+            return Err(Status::Degenerate);
+        }
     }
     Ok(status)
 }

@@ -134,7 +134,14 @@ impl Surface {
                 }
             }
             let (before, after) = (self.at(&between(low)), self.at(&between(high)));
-            worst = worst.max(difference(&before.residual, &after.residual));
+            let jump = difference(&before.residual, &after.residual);
+            let kind = [&before, &after].map(|found| match found.feature() as i32 {
+                0 => "facet",
+                1..=4 => "edge",
+                _ => "vertex",
+            });
+            println!("{} to {}: jump of the force {jump:.1e}", kind[0], kind[1]);
+            worst = worst.max(jump);
             count += 1;
         }
         (worst, count)
@@ -269,7 +276,6 @@ fn forces_go_on_where_the_pair_changes() {
             ([-0.3, 0.2, 0.1], [0.3, -0.2, 0.12]),
         ] {
             let (jump, changes) = surface.jumps(&a, &b);
-            println!("{inwards} {a:?} {b:?}: {changes} changes, {jump:.1e}");
             assert!(changes >= 1, "{a:?} {b:?}");
             worst = worst.max(jump);
         }
@@ -454,4 +460,33 @@ fn triangles_share_straight_edges() {
     );
     let (jump, changes) = surface.jumps(&[-0.5, 0.1, -0.1], &[0.5, 0.1, -0.1]);
     assert!(changes == 2 && jump < 1e-9, "{changes} {jump:e}");
+}
+
+/// Positions are x + u: displacements that undo a shift of the reference leave everything as it was.
+#[test]
+fn displacements_count() {
+    let surface = corner(false, 0.5);
+    let point = [0.2, 0.1, -0.5];
+    let found = surface.at(&point);
+    let shift = 0.125; // exact
+    let x: Vec<f64> = point
+        .iter()
+        .chain(&surface.nodes)
+        .map(|v| v - shift)
+        .collect();
+    let mut residual = vec![0.0; x.len()];
+    let [_, workspace, _] = surface.facets.sizes();
+    let outcome = evaluate_patch(
+        &surface.facets,
+        &mut Evaluation {
+            x: &x,
+            u: &vec![shift; x.len()],
+            parameters: &surface.parameters,
+            residual: &mut residual,
+            workspace: &mut vec![0.0; workspace],
+            ..Evaluation::default()
+        },
+    );
+    assert_eq!((outcome.code, outcome.closed), (code::SUCCESS, 1));
+    assert!(difference(&residual, &found.residual) < 1e-14);
 }

@@ -72,14 +72,17 @@ impl<'a> Checked<'a> {
         if (slaves + masters).saturating_mul(facet.dimension) > MOST_UNKNOWNS {
             return Err((code::NODE_COUNT, argument::NNODE, 0));
         }
+        if i32::try_from(slaves.saturating_mul(HISTORY)).is_err() {
+            return Err((code::NODE_COUNT, argument::NSLAVE, 0));
+        }
         if patch.connectivity.is_null() {
             return Err((code::NULL, argument::CONNECTIVITY, 0));
         }
         let entries = facets * facet.master_nodes;
         // SAFETY: promised by the caller: one entry for every node of every facet.
         let connectivity = unsafe { core::slice::from_raw_parts(patch.connectivity, entries) };
-        let bad = |&node: &i32| usize::try_from(node).is_ok_and(|node| node < masters);
-        if let Some(entry) = connectivity.iter().position(|node| !bad(node)) {
+        let exists = |&node: &i32| usize::try_from(node).is_ok_and(|node| node < masters);
+        if let Some(entry) = connectivity.iter().position(|node| !exists(node)) {
             return Err((code::INDEX, argument::CONNECTIVITY, entry));
         }
         Ok(Self {

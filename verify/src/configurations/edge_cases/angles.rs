@@ -64,7 +64,7 @@ fn large() -> Vec<EdgeCase> {
         at("large: above the window", 0.30000001, Closed),
         at("large: within, anti-parallel", -2.9, Closed),
         from_zero("large: parallel, window from zero", 0.0, Open),
-        from_zero("large: 1e-9 rad, window from zero", 1e-9, Closed),
+        from_zero("large: 1e-6 rad, window from zero", 1e-6, Closed),
         beams("large: coincident", 0.0, 0.0, WINDOW, Open),
         beams("large: meeting", 1.0, 0.0, WINDOW, Degenerate),
     ]

@@ -72,7 +72,7 @@ module contact_elements
   integer(i4), parameter :: CTE_OUTPUT_ANGLES = 19, CTE_OUTPUT_MOMENTS = 21, CTE_OUTPUT_SIZE = 23
 
   ! History of one contact point, entries from 0: status, projection, with friction anchor and slip path, with
-  ! rolling the anchors and paths of both angles and the regime
+  ! rolling the anchors and paths of both angles and the regime; of edges the normal; a multiplier last
   integer(i4), parameter :: CTE_HISTORY_STATUS = 0, CTE_HISTORY_PROJECTION = 1
 
   ! Verdict of a global projection

@@ -62,7 +62,7 @@ extern "C" {
 #define CTE_ERROR_VERSION (-10)    /* the library's major version is another */
 #define CTE_ERROR_STRIDE (-11)     /* strides are negative, let entries overlap or exceed any memory */
 #define CTE_ERROR_HISTORY (-12)    /* an entry that no evaluation writes: no status, a projection or anchor far outside,
-                                    * a negative path, no regime, an angle beyond 1000 rad, a positive multiplier;
+                                    * a negative path, no regime, an angle beyond 1000 rad, no unit normal, a positive multiplier;
                                     * cte_history_transfer: or not that of the output */
 #define CTE_ERROR_ELEMENT (-13)    /* cte_history_transfer: nothing to carry, or another kind of element;
                                     * cte_history_augment: no multiplier in the history;
@@ -192,6 +192,7 @@ extern "C" {
  *   with friction     2 + 2 P  status, projection [P], anchor [P], slip path [length]
  *   with rolling      11       as with friction (P = 2), then phi0_1, phi0_2, path_1, path_2 [rad], regime: which
  *                              curves roll, 0 none, 1 the slave's, 2 the master's, 3 both
+ *   edges             three more: the unit normal (two curves with a signed gap)
  *   augmented         one more at the end: the multiplier [as N], never positive
  * hist_old is the accepted state: the last converged step. hist_new is a trial; no evaluation reads it. When the
  * step is accepted the host copies hist_new over hist_old, all of it; when it is cut back the host drops hist_new.
@@ -208,6 +209,14 @@ extern "C" {
  * between stick and slip: a first iteration with CTE_FREEZE_STATE and STICK in the place of SLIP in a copy of
  * hist_old takes the elastic tangent. When the projection passes to a neighbouring element:
  * cte_history_transfer.
+ *
+ * Edges of solids (two curves with a signed gap). The normal is the unit vector along +-b_1 x b_2. On which side the
+ * edges are is part of the history: the sign that keeps the remembered normal, also where b_1 x b_2 turns about because
+ * the edges turned through parallel. So edges that have crossed are closed with a negative gap, not open on the other
+ * side. Nothing remembered (cte_element_history_init): the parameter orientation, +1 or -1; with 0 the side on which
+ * they are, gap + r0 >= 0, which supposes that they begin apart (CTE_ERROR_NULL without hist_old). Beyond an end the
+ * side is that of gap + r0 >= 0. A normal that turns by 84 degrees and more between two accepted states is refused
+ * (CTE_STATUS_NOT_UNIQUE) up to 96 degrees; beyond, the side is lost: smaller steps.
  *
  * Rolling (elements with a law of rolling: curve to curve at a distance). phi_c is the angle of the shortest distance,
  * from curve c to the other, about the tangent of curve c, from its principal normal towards its binormal, in
@@ -228,7 +237,8 @@ extern "C" {
  *               the diagonal there: a solver for indefinite matrices. */
 #define CTE_HISTORY_STATUS 0     /* CTE_STATUS_* as a number */
 #define CTE_HISTORY_PROJECTION 1 /* P entries; then, with friction, P entries of the anchor and the slip path;
-                                  * then, with rolling, phi0_1, phi0_2, path_1, path_2, regime; a multiplier last */
+                                  * then, with rolling, phi0_1, phi0_2, path_1, path_2, regime; then of edges the
+                                  * normal [3]; a multiplier last */
 
 typedef struct cte_element cte_element; /* opaque, immutable, static */
 
@@ -277,7 +287,7 @@ typedef struct cte_arguments {
   const double *parameters;
   const double *hist_old;  /* accepted history; null: the projection starts from the centre, and contact with
                             * friction begins here (CTE_ERROR_NULL with CTE_FREEZE_STATE or
-                            * CTE_PROJECTION_GIVEN) */
+                            * CTE_PROJECTION_GIVEN, and for edges with orientation 0) */
   double *hist_new;        /* trial history; may be the same array as hist_old */
   const double *slave_row; /* interpolated slaves: shape functions of the slave point [nslave], then its weight */
   double *f;               /* residual; entry i goes to f[unknown_map ? unknown_map[i] : i] */
@@ -444,8 +454,8 @@ int32_t cte_element_history_init(const cte_element *element, double *history);
  *   from_history  its accepted history, from_output the output of that state ([CTE_OUTPUT_SIZE])
  *   to_history    in: from an evaluation of `to` at the same displacements with the history of
  *                 cte_element_history_init; to_output is of the same call. Beyond the edge of `to` (status
- *                 outside) is fine. out: status, anchor, slip path and multiplier are those of from_history, as `to`
- *                 counts them.
+ *                 outside) is fine. out: status, anchor, slip path, normal of edges and multiplier are those of
+ *                 from_history, as `to` counts them.
  * The slip s of from_history is turned from the tangent plane of `from` into that of `to` by the smallest rotation
  * between the normals, which keeps its length; the anchor is the projection minus the parameters of s. Then
  * to_history is the accepted history of the point on `to`. With the same tangential law and parameters on both
@@ -454,7 +464,7 @@ int32_t cte_element_history_init(const cte_element *element, double *history);
  * the curves, which both elements must run through in the same sense. Where from_history is not in contact nothing is
  * to be carried: 0, to_history stays.
  * argument (may be null): CTE_ARGUMENT_FROM .. TO_HISTORY, or NONE with 0. CTE_ERROR_NULL; CTE_ERROR_ELEMENT:
- * neither tangential law nor augmented, or the kinds, dimensions or numbers of projected parameters differ;
+ * neither tangential law nor augmented nor edges, or the kinds, dimensions or numbers of projected parameters differ;
  * CTE_ERROR_NOT_FINITE;
  * CTE_ERROR_HISTORY: no history, or projection in history and output differ; CTE_CUT_BACK: tangents or normal
  * span no plane, normals opposite, a slip across the curve, an anchor far outside. On anything but 0 to_history is as it was: contact on
@@ -490,7 +500,7 @@ int32_t cte_element_project(const cte_element *element, cte_arguments *arguments
 int32_t cte_patch_info(const cte_patch *patch, cte_info *info, int32_t *argument);
 
 /* Evaluates a patch. Codes and the scalars at the end of *arguments as cte_element_evaluate; on anything but 0 nothing
- * else is written but the workspace. Time: the search looks at every facet for every slave point. */
+ * else is written but the workspace. Time: every facet is looked at for every slave point, near ones are searched. */
 int32_t cte_patch_evaluate(const cte_patch *patch, cte_arguments *arguments);
 
 /* Evaluates one element. The scalars at the end of *arguments (dt_ratio .. error_index) are written always

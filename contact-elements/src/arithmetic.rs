@@ -17,6 +17,14 @@ pub fn sqrt(x: f64) -> f64 {
     libm::sqrt(x)
 }
 
+/// a/b of a divisor that was found to be positive, its size limited to 1e30. The compiler may divide before the branch
+/// that looks at the divisor, and hosts run with traps for what is invalid or overflows.
+#[inline(always)]
+pub(crate) fn quotient(a: f64, b: f64) -> f64 {
+    let least = 1e-30 * abs(a) + 1e-200;
+    a / if b > least { b } else { least }
+}
+
 /// sin x, x in radians.
 #[inline]
 pub fn sin(x: f64) -> f64 {

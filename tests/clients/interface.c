@@ -27,6 +27,7 @@ int main(void)
   interface_augmented();
   interface_project();
   interface_patch();
+  interface_edges();
   printf("%s interface, %d failures\n", client_failures ? "FAIL" : "PASS", client_failures);
   return client_failures ? 1 : 0;
 }

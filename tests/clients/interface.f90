@@ -18,6 +18,7 @@ program interface_client
   use interface_augmented, only: interface_augmented_run
   use interface_project, only: interface_project_run
   use interface_patch, only: interface_patch_run
+  use interface_edges, only: interface_edges_run
   implicit none
   call interface_layout_run()
   call interface_constants_run()
@@ -32,6 +33,7 @@ program interface_client
   call interface_augmented_run()
   call interface_project_run()
   call interface_patch_run()
+  call interface_edges_run()
   print '(2a,i0,a)', merge('PASS', 'FAIL', client_failures == 0), ' interface, ', client_failures, ' failures'
   if (client_failures /= 0) stop 1
 end program interface_client

@@ -15,5 +15,6 @@ void interface_multiplier_batch(void); /* the same in batches */
 void interface_augmented(void);        /* multipliers of the history: Uzawa's iteration */
 void interface_project(void);          /* closest points without a start */
 void interface_patch(void);            /* facets with their edges and vertices */
+void interface_edges(void);            /* edges of solids keep their side */
 
 #endif

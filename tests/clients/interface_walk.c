@@ -18,15 +18,22 @@ static int has_slip(const cte_info *info)
   return info->history / info->points >= 2 + 2 * info->projected && info->projected > 0 && info->symmetric == 0;
 }
 
+/* Edges of solids keep a normal. */
+static int keeps_side(const bench *any)
+{
+  return client_contains(any->info.name, "Edges");
+}
+
 /* Entries per point: status and projection; with friction anchor and slip path too, with rolling of two curves five
- * more; a multiplier, where there is none among the unknowns. Else 0. */
+ * more, of edges three more; a multiplier, where there is none among the unknowns. Else 0. */
 static int history_of_point(const bench *any)
 {
   const cte_info *info = &any->info;
   const int p = info->projected, entries = info->history / info->points;
   const int plain = 1 + p + (has_slip(info) ? p + 1 : 0);
+  const int sides = keeps_side(any) ? 3 : 0;
   const int rolls = has_slip(info) && p == 2 && entries >= plain + 5 ? 5 : 0;
-  const int more = entries - plain - rolls;
+  const int more = entries - plain - rolls - sides;
   return more == 0 || (more == 1 && bench_multipliers(any) == 0) ? entries : 0;
 }
 

@@ -28,13 +28,21 @@ contains
     entries = 1 + info%projected + merge(info%projected + 1_i4, 0_i4, has_slip(info))
   end function plain_history
 
-  ! Entries per point, with five more for rolling of two curves, a multiplier where there is none among the unknowns.
-  ! Else 0.
-  pure function history_of_point(any_bench) result(entries)
+  ! Edges of solids keep a normal.
+  function keeps_side(any_bench) result(keeps)
+    type(bench), intent(in) :: any_bench
+    logical :: keeps
+    keeps = client_contains(cte_string(any_bench%info%name), 'Edges')
+  end function keeps_side
+
+  ! Entries per point, with five more for rolling of two curves, three more of edges, a multiplier where there is none
+  ! among the unknowns. Else 0.
+  function history_of_point(any_bench) result(entries)
     type(bench), intent(in) :: any_bench
     integer :: entries, plain
     entries = any_bench%info%history/any_bench%info%points
     plain = plain_history(any_bench%info)
+    if (keeps_side(any_bench)) plain = plain + 3
     if (entries == plain) return
     if (has_slip(any_bench%info) .and. any_bench%info%projected == 2 .and. entries >= plain + 5) &
       plain = plain + 5 ! rolling of two curves

@@ -39,6 +39,8 @@ pub struct ElementCertificate {
     pub invariance: Invariance,
     /// Global projection; where something is projected.
     pub global: Option<Global>,
+    /// The side of edges.
+    pub sides: Option<Finding>,
     /// Error orders of tangent-plane elements.
     pub slopes: Option<Slopes>,
     /// Mutation of the terms.
@@ -65,7 +67,11 @@ impl ElementCertificate {
         let sequences = self.sequences.as_ref().map(|s| &s.finding);
         let always = [&self.invariance.finding, &self.mutants.unchanged];
         let global = self.global.as_ref().map(|global| &global.finding);
-        let optional = slopes.into_iter().chain(sequences).chain(global);
+        let optional = slopes
+            .into_iter()
+            .chain(sequences)
+            .chain(global)
+            .chain(&self.sides);
         optional.chain(always)
     }
 

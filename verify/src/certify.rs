@@ -9,7 +9,7 @@ use crate::certificate::{Certificate, ElementCertificate};
 use crate::configurations::Wanted;
 use crate::proof::coverage::{self, Seen};
 use crate::proof::{
-    edges, global, invariance, mutation, random, reference, sequences, slopes, tables,
+    edges, global, invariance, mutation, random, reference, sequences, sides, slopes, tables,
 };
 use crate::subject::Subject;
 
@@ -91,6 +91,7 @@ fn one(subject: &Subject, extent: &Extent, source_bytes: usize) -> ElementCertif
         sequences: has_friction.then(|| sequences::prove(subject, seed)),
         invariance: invariance::prove(subject, seed),
         global: global::prove(subject, PROJECTIONS, 1, seed),
+        sides: sides::prove(subject, seed),
         slopes: subject
             .description
             .tangent_plane

@@ -198,7 +198,7 @@ impl Subject {
     }
 
     /// The oracle's start and what it remembers as the element's history: per point status and projected
-    /// parameters, with friction the anchor and the path too, multipliers that are held. Nothing remembered: open.
+    /// parameters, with friction the anchor and the path too, of edges no side, multipliers that are held. Nothing remembered: open.
     pub fn history(
         &self,
         start: &[[f64; 2]],
@@ -224,6 +224,9 @@ impl Subject {
                 history.extend(remembered.rolling.anchor);
                 history.extend(remembered.rolling.path);
                 history.push(0.0);
+            }
+            if descriptor.keeps_side {
+                history.extend([0.0; 3]);
             }
             if let Multipliers::Held(_) = multipliers {
                 history.extend(multipliers.at(q));

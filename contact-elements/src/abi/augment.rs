@@ -12,9 +12,16 @@ fn check(element: &Descriptor, history: &[f64], name: i32) -> Result<(), Fault> 
         return Err((code::NOT_FINITE, name, entry));
     }
     let (size, p) = (element.point_history(), element.projected);
+    let sides = element.side_history()..size - 1; // empty but for edges
+    for (number, own) in history.chunks(size.max(1)).enumerate() {
+        if let Some(entry) = element.impossible_side(own) {
+            return Err((code::HISTORY, name, number * size + entry));
+        }
+    }
     let possible = |(entry, &value): (usize, &f64)| match entry.checked_rem(size).unwrap_or(0) {
         0 => is_status(value),
         last if last + 1 == size => value <= 0.0,
+        side if sides.contains(&side) => true,
         zeta if zeta <= p => element.can_be_projection(zeta - 1, value),
         anchor if anchor <= 2 * p => element.can_be_anchor(anchor - 1 - p, value),
         angle if angle >= 2 + 2 * p => is_remembered(angle - 2 - 2 * p, value),

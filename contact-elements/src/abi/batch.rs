@@ -191,6 +191,7 @@ impl<'a> Checked<'a> {
             friction: self.element.friction,
             augmented: self.element.is_augmented(),
             rolling: self.element.rolling,
+            keeps_side: self.element.keeps_side,
             f: at(request::RESIDUAL, batch.f, self.f_stride),
             k: at(request::TANGENT, batch.k, self.k_stride),
             row_stride: unknowns,

@@ -40,7 +40,8 @@ pub use types::{ApiTable, Arguments, Batch, Info};
 
 use crate::program::{MasterDescription, SlaveDescription};
 use crate::runtime::{
-    Call, Domain, Enforcement, InputError, Layout, Nodes, Summary, can_be_anchor, can_be_projection,
+    Call, Domain, Enforcement, InputError, Layout, Nodes, Summary, can_be_anchor,
+    can_be_projection, is_side,
 };
 
 /// Version of the interface: major << 16 | minor.
@@ -51,6 +52,9 @@ pub const OUTPUT_SIZE: usize = 23;
 
 /// Doubles that rolling adds to the history of a contact point.
 pub(crate) const ROLLING_HISTORY: usize = 5;
+
+/// Doubles that edges add to the history of a contact point.
+pub(crate) const SIDE_HISTORY: usize = 3;
 
 /// The compiled kernel of an element.
 pub type Kernel = fn(&Call<'_>, &Nodes<'_>, &mut [f64], &mut Target) -> Result<Summary, InputError>;
@@ -110,6 +114,8 @@ pub struct Descriptor {
     pub rolling: bool,
     /// Where `angle_low` and `angle_high` stand in the parameters; none: the contact acts at any angle.
     pub angle: Option<usize>,
+    /// True for edges of solids, whose side the history keeps.
+    pub keeps_side: bool,
     /// True where K is symmetric.
     pub symmetric: bool,
     /// True where the element offers a tangent.
@@ -142,12 +148,26 @@ pub struct Descriptor {
 
 impl Descriptor {
     /// Doubles of history of one contact point: status and projected parameters; with friction the anchor and
-    /// the slip path too; with rolling the anchors and paths of both angles and the regime; a multiplier of the
-    /// history last.
+    /// the slip path too; with rolling the anchors and paths of both angles and the regime; the normal of edges; a
+    /// multiplier of the history last.
     pub fn point_history(&self) -> usize {
+        let side = if self.keeps_side { SIDE_HISTORY } else { 0 };
+        self.side_history() + side + usize::from(self.is_augmented())
+    }
+
+    /// Where the normal of edges stands in the history of a contact point.
+    pub(crate) fn side_history(&self) -> usize {
         let friction = if self.friction { self.projected + 1 } else { 0 };
         let rolling = if self.rolling { ROLLING_HISTORY } else { 0 };
-        1 + self.projected + friction + rolling + usize::from(self.is_augmented())
+        1 + self.projected + friction + rolling
+    }
+
+    /// The first entry of a side in a point's history that is none.
+    pub(crate) fn impossible_side(&self, history: &[f64]) -> Option<usize> {
+        let at = self.side_history();
+        let normal = history.get(at..).and_then(<[f64]>::first_chunk);
+        let is_possible = !self.keeps_side || normal.is_none_or(is_side);
+        (!is_possible).then_some(at)
     }
 
     /// True where the history carries a multiplier.

@@ -2,8 +2,9 @@
 
 use super::sizes::Fault;
 use super::{Descriptor, argument, code};
+use crate::arithmetic::sqrt;
 use crate::program::{GeometryPrograms, MasterDescription, SlaveDescription};
-use crate::runtime::{Nodes, Placement, is_usable};
+use crate::runtime::{Nodes, Placement, dot, is_usable};
 use crate::search::{Side, Sides};
 
 /// Most nodes of a side that is searched.
@@ -156,6 +157,22 @@ impl<'a> Gathered<'a> {
             gathered.slave[0] = point;
         }
         Ok(gathered)
+    }
+
+    /// The middle of the master's nodes as seen from the first slave node, and how far they are from it.
+    pub(super) fn surroundings(&self) -> ([f64; 3], f64) {
+        let nodes = self.master.get(..self.element.master_nodes).unwrap_or(&[]);
+        let mut middle = [0.0; 3];
+        for node in nodes {
+            for (sum, x) in middle.iter_mut().zip(node) {
+                *sum += x / nodes.len() as f64;
+            }
+        }
+        let away = |node: &[f64; 3]| {
+            let away: [f64; 3] = core::array::from_fn(|k| node[k] - middle[k]);
+            sqrt(dot(&away, &away))
+        };
+        (middle, nodes.iter().map(away).fold(0.0, f64::max))
     }
 
     /// Both sides of contact point `number`.

@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use super::{OUTPUT_SIZE, ROLLING_HISTORY};
+use super::{OUTPUT_SIZE, ROLLING_HISTORY, SIDE_HISTORY};
 use crate::runtime::{Receiver, Report};
 
 /// Outputs of one element. Null pointers are outputs that nobody asked for.
@@ -16,6 +16,8 @@ pub struct Target {
     pub(super) augmented: bool,
     /// True where it also holds anchors, paths and regime of rolling.
     pub(super) rolling: bool,
+    /// True where it also holds the normal.
+    pub(super) keeps_side: bool,
     pub(super) f: *mut f64,
     pub(super) k: *mut f64,
     pub(super) row_stride: usize,
@@ -96,12 +98,13 @@ impl Target {
     }
 
     /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too; with
-    /// rolling the anchors and paths of both angles and the regime; a multiplier last.
+    /// rolling the anchors and paths of both angles and the regime; of edges the normal; a multiplier last.
     fn new_history(&mut self, point: usize, report: &Report) {
         let p = self.projected;
         let friction = if self.friction { p + 1 } else { 0 };
         let angles = if self.rolling { ROLLING_HISTORY } else { 0 };
-        let size = 1 + p + friction + angles + usize::from(self.augmented);
+        let side = if self.keeps_side { SIDE_HISTORY } else { 0 };
+        let size = 1 + p + friction + angles + side + usize::from(self.augmented);
         let rolling = &report.rolling;
         // SAFETY: the history has `size` entries per point.
         let entries = unsafe { core::slice::from_raw_parts(self.history.add(point * size), size) };
@@ -116,6 +119,7 @@ impl Target {
             .chain(zeta)
             .chain(slid)
             .chain(rolled.take(angles))
+            .chain(report.normal.iter().take(side))
             .chain([&report.multiplier]);
         for (entry, &value) in entries.iter().zip(values) {
             entry.set(value);

@@ -3,9 +3,9 @@
 use super::describe::write;
 use super::safe::Outcome;
 use super::sizes::{Fault, reported};
-use super::{Descriptor, OUTPUT_SIZE, ROLLING_HISTORY, argument, code};
+use super::{Descriptor, OUTPUT_SIZE, ROLLING_HISTORY, SIDE_HISTORY, argument, code};
 use crate::arithmetic::abs;
-use crate::runtime::{Status, TangentPlane, is_remembered, is_status, is_usable};
+use crate::runtime::{Status, TangentPlane, dot, is_remembered, is_status, is_usable};
 
 /// Entries of the output that are read.
 const PROJECTION: usize = 4;
@@ -15,7 +15,7 @@ const TANGENTS: usize = 13;
 /// come from an evaluation of the accepted state anew.
 const APART: f64 = 1e-6;
 /// Most entries of a point's history.
-const ROOM: usize = 7 + ROLLING_HISTORY;
+const ROOM: usize = 7 + ROLLING_HISTORY + SIDE_HISTORY;
 
 /// One contact point of an element: its output, and its history that belongs to it.
 #[derive(Clone, Copy)]
@@ -58,7 +58,7 @@ impl<'a> Place<'a> {
     /// Values that an evaluation can have written, both arrays in the same one.
     fn check(&self) -> Result<(), Fault> {
         let [element, output, history] = self.names;
-        if !self.element.friction && !self.element.is_augmented() {
+        if !self.element.friction && !self.element.is_augmented() && !self.element.keeps_side {
             return Err((code::ELEMENT, element, 0));
         }
         for (values, name) in [(self.output, output), (self.history, history)] {
@@ -72,6 +72,9 @@ impl<'a> Place<'a> {
         }
         if self.element.friction && self.entry(1 + 2 * p) < 0.0 {
             return Err((code::HISTORY, history, 1 + 2 * p));
+        }
+        if let Some(entry) = self.element.impossible_side(self.history) {
+            return Err((code::HISTORY, history, entry));
         }
         let last = self.element.point_history() - 1;
         if self.element.is_augmented() && self.entry(last) > 0.0 {
@@ -108,10 +111,19 @@ impl<'a> Place<'a> {
         self.output.get(index).copied().unwrap_or(0.0)
     }
 
-    fn plane(&self) -> Result<TangentPlane, Fault> {
+    fn normal(&self) -> [f64; 3] {
+        core::array::from_fn(|k| self.at(NORMAL + k))
+    }
+
+    /// The tangent plane with its normal on the side of `towards`.
+    fn plane(&self, towards: [f64; 3]) -> Result<TangentPlane, Fault> {
         let vector = |start: usize| core::array::from_fn(|k| self.at(start + k));
         let b = [vector(TANGENTS), vector(TANGENTS + 3)];
-        TangentPlane::new(b, vector(NORMAL), self.element.projected).ok_or((
+        let mut normal = self.normal();
+        if self.element.keeps_side && dot(&normal, &towards) < 0.0 {
+            normal = normal.map(|component| -component);
+        }
+        TangentPlane::new(b, normal, self.element.projected).ok_or((
             code::CUT_BACK,
             self.names[1],
             TANGENTS,
@@ -130,13 +142,14 @@ impl<'a> Place<'a> {
     }
 
     /// What the two elements must have in common.
-    fn kind(&self) -> (usize, usize, bool, bool) {
+    fn kind(&self) -> (usize, usize, bool, bool, bool) {
         let element = self.element;
         (
             element.dimension,
             element.projected,
             element.friction,
             element.is_augmented(),
+            element.keeps_side,
         )
     }
 
@@ -177,6 +190,13 @@ fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Faul
         0
     };
     let rolled = (0..rolling).map(|entry| angles.entry(2 + 2 * p + entry));
+    let at = from.element.side_history();
+    let sides = if to.element.keeps_side {
+        SIDE_HISTORY
+    } else {
+        0
+    };
+    let side = (0..sides).map(|entry| from.entry(at + entry));
     let multiplier = from.history.last().copied();
     let values = [from.entry(0)]
         .into_iter()
@@ -184,6 +204,7 @@ fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Faul
         .chain(anchor.into_iter().take(slid))
         .chain(path)
         .chain(rolled)
+        .chain(side)
         .chain(multiplier.filter(|_| to.element.is_augmented()));
     let mut history = [0.0; ROOM];
     for (entry, value) in history.iter_mut().zip(values) {
@@ -195,7 +216,7 @@ fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Faul
 /// The anchor on `to` that keeps the elastic slip.
 fn anchor(from: &Place<'_>, to: &Place<'_>) -> Result<[f64; 2], Fault> {
     let p = to.element.projected;
-    let (old, new) = (from.plane()?, to.plane()?);
+    let (old, new) = (from.plane(from.normal())?, to.plane(from.normal())?);
     let degenerate = (code::CUT_BACK, argument::TO_OUTPUT, NORMAL);
     let s = old.turned(&old.slip(from.moved()), &new);
     let moved = s.and_then(|s| new.parameters(&s)).ok_or(degenerate)?;
@@ -211,8 +232,8 @@ fn anchor(from: &Place<'_>, to: &Place<'_>) -> Result<[f64; 2], Fault> {
 
 /// Takes an elastic slip along when the projection passes from one element to its neighbour; output and history
 /// of one contact point each. `to_history` came, with `to_output`, from an evaluation of `to` with its initial
-/// history; status, anchor, slip path and multiplier of the accepted point are put into it, and where both roll the
-/// angles with their paths. On anything but
+/// history; status, anchor, slip path, normal of edges and multiplier of the accepted point are put into it, and where both roll
+/// the angles with their paths. On anything but
 /// [`code::SUCCESS`] it is as it was, and the outcome names the argument and its entry.
 pub fn transfer(
     (from, from_output, from_history): (&Descriptor, &[f64], &[f64]),

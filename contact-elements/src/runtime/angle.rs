@@ -139,6 +139,7 @@ pub(super) fn open<const D: usize, const P: usize, const H: usize>(
         zeta,
         vectors,
         gap: Gap::default(),
+        orientation: 1.0,
         law: Traction::default(),
         blend: Blend::default(),
         multiplier: 0.0,

@@ -11,6 +11,7 @@ use super::projection::{largest, project};
 use super::receiver::Call;
 use super::rolling::roll;
 use super::shape::{NormalLaw, Traction};
+use super::side::side;
 use super::sliding::{Sliding, slide};
 use super::values::{Gap, Status, Vectors};
 use crate::arithmetic::abs;
@@ -23,6 +24,8 @@ pub(super) struct Point<const D: usize, const P: usize, const H: usize> {
     pub(super) zeta: [f64; P],
     pub(super) vectors: Vectors<D, P, H>,
     pub(super) gap: Gap<D>,
+    /// ±1, factor of the normal.
+    pub(super) orientation: f64,
     /// Of a closed point; of every point that has a multiplier.
     pub(super) law: Traction,
     /// What the weight by the angle does to it.
@@ -61,6 +64,7 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         zeta: projected.zeta,
         vectors: projected.vectors,
         gap: Gap::default(),
+        orientation: 1.0,
         law: Traction::default(),
         blend: Blend::default(),
         multiplier: 0.0,
@@ -83,8 +87,9 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
     if !E::is_regular(number, stage.x, &point.vectors, call.parameters) {
         return Err(Status::Degenerate);
     }
-    let orientation = orientation::<E, D, P, H>(call.parameters);
-    point.gap = E::gap(&point.vectors, call.parameters, orientation);
+    point.orientation =
+        side::<E, D, P, H>(history, &point.vectors, point.feature, call.parameters)?;
+    point.gap = E::gap(&point.vectors, call.parameters, point.orientation);
     if !(is_finite(&point.gap.n) & is_finite(&[point.gap.gap])) {
         return Err(Status::Degenerate);
     }

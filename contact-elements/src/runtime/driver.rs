@@ -4,7 +4,7 @@
 //! anything that only closed contact needs.
 
 use super::angle;
-use super::classify::{Point, classify, load_slave, orientation};
+use super::classify::{Point, classify, load_slave};
 use super::contraction::{Temporaries, contract};
 use super::element::Element;
 use super::enforcement;
@@ -148,7 +148,7 @@ fn evaluate_one<
 }
 
 #[inline(always)]
-fn placement<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+pub(super) fn placement<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     parameters: &[f64],
 ) -> Option<Placement<D>> {
     E::LAYOUT
@@ -265,13 +265,12 @@ fn tangent<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, con
     (point, state): (&Point<D, P, H>, &Sliding<P>),
     (number, n, weight, first): (usize, &[f64; D], f64, bool),
 ) {
-    let orientation = orientation::<E, D, P, H>(call.parameters);
     let mut coefficients = E::tangent(
         &point.vectors,
         &point.gap,
         &point.law,
         call.parameters,
-        orientation,
+        point.orientation,
     );
     let joins = sliding::joins::<E, D, P, H>();
     if E::Tangential::ACTIVE && joins {

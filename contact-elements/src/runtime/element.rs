@@ -6,6 +6,7 @@ use super::friction::{Tangential, TangentialLaw};
 use super::motion::{RollingCoefficients, RollingForce};
 use super::rolling::{self, Rolling, RollingAngles, RollingLayout};
 use super::shape::{Domain, NormalLaw, Traction};
+use super::side;
 use super::tangential::{TangentialCoefficients, TangentialForce};
 use super::values::{Coefficients, Frame, Gap, Measure, Rows, Status, Vectors};
 use crate::arithmetic::abs;
@@ -96,16 +97,23 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     const ANGLE: bool = false;
 
     /// Doubles of history per contact point: status and ζ; with friction the anchor and the slip path too; with
-    /// rolling what [`Rolling`] remembers; a multiplier of the history last.
-    const HISTORY: usize = 1
+    /// rolling what [`Rolling`] remembers; the normal of edges; a multiplier of the history last.
+    const HISTORY: usize = Self::SIDE
+        + if Self::KEEPS_SIDE { side::HISTORY } else { 0 }
+        + if Self::AUGMENTED { 1 } else { 0 };
+
+    /// Where the normal of edges stands in the history.
+    const SIDE: usize = 1
         + P
         + if Self::Tangential::ACTIVE { P + 1 } else { 0 }
         + if Self::ROLLING.is_some() {
             rolling::HISTORY
         } else {
             0
-        }
-        + if Self::AUGMENTED { 1 } else { 0 };
+        };
+
+    /// True for edges of solids, whose side the history keeps.
+    const KEEPS_SIDE: bool = Self::SIGNED && Self::TWO_CURVES;
 
     /// True where the history carries a multiplier.
     const AUGMENTED: bool = matches!(Self::ENFORCEMENT, Enforcement::Augmented);

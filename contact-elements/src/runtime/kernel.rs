@@ -8,6 +8,7 @@ use super::element::Element;
 use super::friction::TangentialLaw;
 use super::gather::{Nodes, gather, is_usable, multipliers, shift_of_row};
 use super::rolling::{self, is_remembered};
+use super::side::{is_side, is_side_given};
 use super::tangential::{MOST_COLUMNS, TangentialRows};
 use super::values::{Rows, Status};
 use crate::arithmetic::abs;
@@ -22,10 +23,12 @@ pub enum InputError {
     /// Entry of the history.
     History(usize),
     /// Entry of the history that no evaluation writes: no status, a projection or anchor far outside, a negative path,
-    /// no regime of rolling, a multiplier that pulls.
+    /// no regime of rolling, a normal that is no unit vector, a multiplier that pulls.
     Impossible(usize),
     /// Entry of the slave row.
     SlaveRow(usize),
+    /// Edges are to be on the side that a history keeps, and there is none.
+    NoHistory,
     /// The workspace is too small.
     Workspace,
     /// A contact point failed.
@@ -78,7 +81,7 @@ pub(crate) fn is_status(value: f64) -> bool {
 }
 
 /// Finite numbers, a projection within [`FARTHEST_PROJECTION`] extents; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
-/// that is not negative; with rolling what [`is_remembered`] says; a multiplier that is not positive.
+/// that is not negative; with rolling what [`is_remembered`] says; of edges what [`is_side`] says; a multiplier that is not positive.
 #[inline(always)]
 fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     history: &[Cell<f64>],
@@ -106,6 +109,9 @@ fn check_point<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
         if !can_be_projection(at(1 + i), E::centre()[i], E::extent(i)) {
             return Err(1 + i);
         }
+    }
+    if E::KEEPS_SIDE && !is_side(&core::array::from_fn(|k| at(E::SIDE + k))) {
+        return Err(E::SIDE);
     }
     if !E::Tangential::ACTIVE && !E::AUGMENTED {
         return Ok(());
@@ -156,8 +162,12 @@ pub fn fixed<
     vectors: &[bool],
     receiver: &mut R,
 ) -> Result<Summary, InputError> {
-    if let Some(history) = call.history {
-        check_history::<E, D, P, H>(history)?;
+    match call.history {
+        Some(history) => check_history::<E, D, P, H>(history)?,
+        None if E::KEEPS_SIDE && !is_side_given::<E, D, P, H>(call.parameters) => {
+            return Err(InputError::NoHistory);
+        }
+        None => {}
     }
     let mut x = [[0.0; D]; N];
     let mut reference = [[0.0; D]; N];

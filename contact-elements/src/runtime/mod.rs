@@ -29,6 +29,7 @@ mod projection;
 mod receiver;
 mod rolling;
 mod shape;
+mod side;
 mod sliding;
 mod tangential;
 mod tangential_contraction;
@@ -57,6 +58,7 @@ pub use receiver::{Call, Failure, Receiver, Report, Summary, Wanted};
 pub(crate) use rolling::is_remembered;
 pub use rolling::{Rolling, RollingAngles, RollingLayout};
 pub use shape::{Distance, Domain, NormalLaw, Rigid, Shape, Traction};
+pub(crate) use side::is_side;
 pub use tangential::{
     ForceChange, SecondVariation, TangentialCoefficients, TangentialForce, TangentialRows,
     Variation,

@@ -2,7 +2,7 @@
 
 use super::element::Element;
 use super::values::{Status, Vectors, dot};
-use crate::arithmetic::abs;
+use crate::arithmetic::{abs, quotient};
 
 /// Tangents count as parallel, and F as singular, below this sine or relative determinant.
 const SINGULAR: f64 = 1e-13;
@@ -57,7 +57,7 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         is_delicate = f < DELICATE * (a + abs(h));
         let f1 = dot(r, &b[0]);
         (slopes[0], metric[0]) = (f1, a);
-        change[0] = -f1 / f;
+        change[0] = quotient(-f1, f);
     } else {
         let ([a11, a22], determinant) = tangents(b, E::PARALLEL)?;
         let a12 = dot(&b[0], &b[1]);
@@ -77,8 +77,8 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         let (f1, f2) = (dot(r, &b[0]), dot(r, &b[1]));
         (slopes[0], slopes[1]) = (f1, f2);
         (metric[0], metric[1]) = (a11, a22);
-        change[0] = (f12 * f2 - f22 * f1) / f;
-        change[1] = (f12 * f1 - f11 * f2) / f;
+        change[0] = quotient(f12 * f2 - f22 * f1, f);
+        change[1] = quotient(f12 * f1 - f11 * f2, f);
     }
     Ok(Step {
         change,

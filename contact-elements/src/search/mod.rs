@@ -14,8 +14,10 @@ mod enclosure;
 mod interval;
 mod region;
 mod sides;
+mod spread;
 
 pub(crate) use sides::{Side, Sides};
+pub(crate) use spread::spread;
 
 use crate::runtime::Domain;
 use boxes::Search;

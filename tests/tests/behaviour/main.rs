@@ -9,6 +9,7 @@ mod balance;
 mod crossing;
 mod cylinders;
 mod dragging;
+mod edge_sides;
 mod edges;
 mod elastic_rope;
 mod exchange;

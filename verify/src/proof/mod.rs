@@ -9,6 +9,7 @@
 //! | `reference` | cases of 25 digits from a third program |
 //! | `invariance`, `units` | symmetry, balance of force and moment, rigid motion, change of units |
 //! | `global` | the closest point over the whole domain, found without a start |
+//! | `sides` | which side two edges are on: of the parameter, of the remembered normal |
 //! | `slopes` | error orders of the linearisation on the tangent plane |
 //! | `mutation` | every term dropped, doubled, flipped: each must be noticed |
 //! | `coverage` | every status and feature, every return code and argument that a safe caller can provoke, was seen |
@@ -24,6 +25,7 @@ mod points;
 pub mod random;
 pub mod reference;
 pub mod sequences;
+pub mod sides;
 pub mod slopes;
 pub mod tables;
 mod units;

@@ -10,6 +10,7 @@ use super::boundary::{self, Corners, MOST_CORNERS, MOST_NODES};
 use super::{HISTORY, Patch};
 use crate::program::{MasterDescription, SlaveDescription};
 use crate::runtime::{Enforcement, Nodes, is_status, is_usable};
+use crate::search::spread;
 
 /// Request bits of a patch.
 const REQUESTS: u32 = request::RESIDUAL
@@ -31,6 +32,8 @@ pub(super) struct Checked<'a> {
     /// The facet's node at each corner.
     pub(super) at_corners: [usize; MOST_CORNERS],
     pub(super) reach: f64,
+    /// How far facets reach beyond their nodes. [eq:spread]
+    pub(super) spread: f64,
     /// Nodes of the whole patch, slave points first.
     pub(super) nodes: Option<Nodes<'a>>,
     /// Laws, r0, orientation, and a weight per master node where the facet is rational.
@@ -95,6 +98,7 @@ impl<'a> Checked<'a> {
             corners,
             at_corners,
             reach: patch.reach,
+            spread: f64::INFINITY,
             nodes: None,
             values: &[],
             history: None,
@@ -139,7 +143,20 @@ impl<'a> Checked<'a> {
         self.check_values()?;
         self.check_positions()?;
         self.check_history()?;
+        self.spread = self.spread_of_facets();
         Ok(self)
+    }
+
+    /// Of one facet, which is searched anyway, and of facets with tangent vectors nothing is known.
+    fn spread_of_facets(&self) -> f64 {
+        let has_vectors = self.facet.vectors.iter().any(|&is_vector| is_vector);
+        match self.facet.master {
+            MasterDescription::Shape(geometry) if self.facets() > 1 && !has_vectors => {
+                let [domain, _] = &self.facet.domains;
+                spread(&geometry.values, self.facet.master_nodes, domain)
+            }
+            _ => f64::INFINITY,
+        }
     }
 
     /// Nodes of the patch.

@@ -5,7 +5,8 @@ use super::super::sizes::Fault;
 use super::super::{Descriptor, argument, code};
 use super::boundary::{Feature, MOST_NODES};
 use super::checked::{Checked, List};
-use crate::runtime::{Nodes, Status};
+use crate::arithmetic::sqrt;
+use crate::runtime::{Nodes, Status, dot};
 use crate::search::{Verdict, closest};
 
 /// Distances that differ by less than this part are the same.
@@ -124,11 +125,15 @@ impl Checked<'_> {
 /// The closest point of all facets: of equally near ones inside before edge before vertex,
 /// then that of the history's facet, then the first. Nothing within the reach: none.
 pub(super) fn find(checked: &Checked<'_>, slave: usize) -> Result<Option<Place>, Error> {
-    let hint = checked.remembered(slave, 1).unwrap_or(0.0) as usize;
-    let hint = hint.checked_sub(1);
-    let others = (0..checked.facets()).filter(|&facet| Some(facet) != hint);
+    let remembered = checked.remembered(slave, 1).unwrap_or(0.0) as usize;
+    let remembered = remembered.checked_sub(1);
+    let begin = match remembered {
+        Some(facet) => Some(facet),
+        None => nearest(checked, slave)?,
+    };
+    let others = (0..checked.facets()).filter(|&facet| Some(facet) != begin);
     let mut best: Option<(Place, f64)> = None;
-    for facet in hint.into_iter().chain(others) {
+    for facet in begin.into_iter().chain(others) {
         let reach = match &best {
             Some((_, distance)) => (distance * MARGIN).max(LEAST_REACH),
             None => checked.reach,
@@ -138,14 +143,36 @@ pub(super) fn find(checked: &Checked<'_>, slave: usize) -> Result<Option<Place>,
         };
         let is_better = best.is_none_or(|(old, least)| {
             // the foot on an edge differs from its vertex by the root of what the distances do
-            let is_freer = freedom(place.feature) > freedom(old.feature);
-            distance < least * (1.0 - SAME) || (is_freer && distance <= least * (1.0 + SAME))
+            let (free, before) = (freedom(place.feature), freedom(old.feature));
+            let is_earlier = remembered.is_none() && facet < old.facet && free == before;
+            let is_preferred = free > before || is_earlier;
+            distance < least * (1.0 - SAME) || (is_preferred && distance <= least * (1.0 + SAME))
         });
         if is_better {
             best = Some((place, distance));
         }
     }
     Ok(best.map(|(place, _)| place))
+}
+
+/// The facet with the nearest middle, where the search begins without a history.
+fn nearest(checked: &Checked<'_>, slave: usize) -> Result<Option<usize>, Error> {
+    let mut best = None;
+    if checked.spread == f64::INFINITY {
+        return Ok(best.map(|(facet, _)| facet));
+    }
+    for facet in 0..checked.facets() {
+        let values = Values::of_facet(checked, facet);
+        let gathered = checked
+            .gather(slave, facet, &values)
+            .map_err(Error::Fault)?;
+        let (middle, _) = gathered.surroundings();
+        let square = dot(&middle, &middle);
+        if best.is_none_or(|(_, least)| square < least) {
+            best = Some((facet, square));
+        }
+    }
+    Ok(best.map(|(facet, _)| facet))
 }
 
 /// Parameters in which a closest point is free: 2 inside a facet, 1 on an edge, 0 in a vertex.
@@ -169,6 +196,12 @@ fn on_facet(
         .gather(slave, facet, &values)
         .map_err(Error::Fault)?;
     let element = checked.facet;
+    if reach > 0.0 && checked.spread < f64::INFINITY {
+        let (middle, away) = gathered.surroundings();
+        if sqrt(dot(&middle, &middle)) - checked.spread * away > reach * MARGIN {
+            return Ok(None);
+        }
+    }
     let found = gathered
         .sides(0)
         .and_then(|sides| closest(&sides, &element.domains, &element.periods, reach))

@@ -64,6 +64,7 @@ impl Facts<'_> {
                             enforcement: #enforcement,
                             rolling: #rolling,
                             angle: #angle,
+                            keeps_side: <#name as runtime::Element<#d, #p, #h>>::KEEPS_SIDE,
                             symmetric: #symmetric,
                             tangent: #has_tangent,
                             energy: #has_multiplier

@@ -1,0 +1,73 @@
+//! The side of two edges of solids, kept in the history. [eq:side]
+
+use core::cell::Cell;
+
+use super::classify::orientation;
+use super::driver::placement;
+use super::element::Element;
+use super::values::{Status, Vectors, dot};
+use crate::arithmetic::abs;
+
+/// Entries of a point's history: the unit normal.
+pub(super) const HISTORY: usize = crate::abi::SIDE_HISTORY;
+/// Least cosine between the normals of two accepted states: the sides of edges that turn further are undecided.
+const LEAST_COSINE: f64 = 0.1;
+/// Most that the squared length of a remembered normal differs from 1.
+const UNIT: f64 = 1e-6;
+
+/// Whether an evaluation or a beginning can have left this.
+pub(crate) fn is_side(normal: &[f64; 3]) -> bool {
+    *normal == [0.0; 3] || abs(dot(normal, normal) - 1.0) <= UNIT
+}
+
+/// Factor ±1 of the normal along b_1×b_2.
+#[inline(always)]
+pub(super) fn side<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    history: Option<&[Cell<f64>]>,
+    vectors: &Vectors<D, P, H>,
+    feature: u8,
+    parameters: &[f64],
+) -> Result<f64, Status> {
+    let given = orientation::<E, D, P, H>(parameters);
+    if !E::KEEPS_SIDE {
+        return Ok(given);
+    }
+    let n = E::gap(vectors, parameters, 1.0).n;
+    let apart = if dot(&vectors.r, &n) < 0.0 { -1.0 } else { 1.0 };
+    if feature != 0 {
+        // side by side no longer: where the edges meet next, they meet from this side
+        return Ok(apart);
+    }
+    let remembered: [f64; D] = core::array::from_fn(|k| {
+        let entry = history.and_then(|history| history.get(E::SIDE + k));
+        entry.map_or(0.0, Cell::get)
+    });
+    if remembered != [0.0; D] {
+        let n = match placement::<E, D, P, H>(parameters) {
+            Some(placement) => placement.vector_to_global(&n),
+            None => n,
+        };
+        let cosine = dot(&remembered, &n);
+        return if cosine >= LEAST_COSINE {
+            Ok(1.0)
+        } else if cosine <= -LEAST_COSINE {
+            Ok(-1.0)
+        } else {
+            Err(Status::NotUnique)
+        };
+    }
+    Ok(if is_side_given::<E, D, P, H>(parameters) {
+        given
+    } else {
+        apart
+    })
+}
+
+/// Whether the caller says on which side edges are that remember none.
+#[inline(always)]
+pub(super) fn is_side_given<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    parameters: &[f64],
+) -> bool {
+    let value = E::LAYOUT.orientation.and_then(|at| parameters.get(at));
+    value.is_some_and(|&value| value != 0.0)
+}

@@ -141,8 +141,9 @@ extern "C" {
                                      * distance function, a gap that is no number, an axis of friction of length
                                      * zero or normal to the master; with rolling a curve without curvature, a
                                      * director of length zero or along its curve: CTE_CUT_BACK */
-#define CTE_STATUS_LAW 8            /* the gap is outside the normal law's domain (barrier passed), or the values
-                                     * of the normal or tangential law there are no numbers: CTE_CUT_BACK */
+#define CTE_STATUS_LAW 8            /* the gap is outside the normal law's domain (barrier passed), its N, N' or W
+                                     * there is no number or beyond 1e90, or the values of the tangential law
+                                     * are no numbers: CTE_CUT_BACK */
 
 /* ------------------------------------------------------------------ kinds of unknowns */
 #define CTE_UNKNOWN_UX 1      /* displacement x [length] */

@@ -84,6 +84,23 @@ static void folds(void)
   }
 }
 
+/* Forces of a power law that are numbers, but too large to make a tangent of: refused, and no trap. */
+static void huge_forces(void)
+{
+  for (int i = 0; i < 2; i++) {
+    if (!bench_open(&b, "PointQuad4PowerLaw"))
+      return;
+    b.parameters[1] = 7.7;                /* m */
+    b.parameters[2] = i == 0 ? 1e30 : 1e9; /* r0 */
+    bench_canary(&b);
+    const int32_t found = bench_evaluate(&b);
+    const int32_t status = i == 0 ? CTE_STATUS_LAW : CTE_STATUS_CLOSED;
+    client_check(found == (i == 0 ? CTE_CUT_BACK : CTE_SUCCESS) && b.a.status == status &&
+                     (i == 1 || bench_untouched(&b)),
+                 client_text("huge forces", i));
+  }
+}
+
 static void counts(void)
 {
   const int32_t many[3] = {INT32_MAX, 1 << 30, ((1 << 30) - 1) / 3 - 3};
@@ -278,6 +295,7 @@ void bad_states(void)
   axes();
   no_area();
   folds();
+  huge_forces();
   counts();
   strides();
   scalars();

@@ -118,6 +118,27 @@ contains
     end do
   end subroutine folds
 
+  ! Forces of a power law that are numbers, but too large to make a tangent of: refused, and no trap.
+  subroutine huge_forces()
+    integer(i4) :: found
+    integer :: i
+    logical :: pass
+    do i = 0, 1
+      call bench_open(b, 'PointQuad4PowerLaw')
+      if (.not. c_associated(b%element)) return
+      b%parameters(2) = 7.7_dp
+      b%parameters(3) = merge(1e30_dp, 1e9_dp, i == 0)
+      call bench_canary(b)
+      found = bench_evaluate(b)
+      if (i == 0) then
+        pass = found == CTE_CUT_BACK .and. b%a%status == CTE_STATUS_LAW .and. bench_untouched(b)
+      else
+        pass = found == CTE_SUCCESS .and. b%a%status == CTE_STATUS_CLOSED
+      end if
+      call client_check(pass, client_text('huge forces', int(i, i8)))
+    end do
+  end subroutine huge_forces
+
   subroutine counts()
     integer(i4), parameter :: many(3) = [huge(0_i4), 2_i4**30, (2_i4**30 - 1)/3 - 3]
     type(cte_info) :: info
@@ -332,6 +353,7 @@ contains
     call axes()
     call no_area()
     call folds()
+    call huge_forces()
     call counts()
     call strides()
     call scalars()

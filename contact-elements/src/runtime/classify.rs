@@ -169,7 +169,11 @@ fn multiplier<E: Element<D, P, H>, const D: usize, const P: usize, const H: usiz
     entry.map_or(0.0, Cell::get)
 }
 
-/// N, N' and W of a closed point, where the law is defined and its values are numbers.
+/// Largest N, N' and W [as declared]: ½ ε g² of the largest ε and g that are taken. Products of larger ones would
+/// overflow, even such that no output needs.
+const LARGEST: f64 = 1e90;
+
+/// N, N' and W of a closed point, where the law is defined and its values are such that forces can be made of them.
 #[inline(always)]
 fn law<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     gap: f64,
@@ -179,11 +183,12 @@ fn law<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         return Err(Status::Law);
     }
     let law = E::Law::evaluate(gap, parameters);
-    if is_finite(&[law.traction, law.slope, law.energy]) {
-        Ok(law)
-    } else {
-        Err(Status::Law)
+    let mut usable = true;
+    for value in [law.traction, law.slope, law.energy] {
+        // false of what is no number
+        usable &= abs(value) <= LARGEST;
     }
+    if usable { Ok(law) } else { Err(Status::Law) }
 }
 
 /// The tangents and second derivatives are numbers.

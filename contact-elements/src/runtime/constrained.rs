@@ -322,9 +322,18 @@ fn beyond<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     extent: &[f64; P],
 ) -> u8 {
     let mut outside = *zeta;
+    let mut outward = held.side;
+    if is_triangle::<E, D, P, H>() && (held.diagonal || held.side.contains(&1.0)) {
+        // beyond the diagonal, and beyond one of its ends
+        let (first, last) = match (held.side[0] < 0.0, held.side[P - 1] < 0.0) {
+            (true, _) => (-1.0, 2.0),
+            (false, true) => (2.0, -1.0),
+            (false, false) => (1.0, 1.0),
+        };
+        (outward[0], outward[P - 1]) = (first, last);
+    }
     for i in 0..P {
-        let outward = if held.diagonal { 1.0 } else { 0.0 } + held.side[i];
-        outside[i] += 1e-6 * extent[i] * outward;
+        outside[i] += 1e-6 * extent[i] * outward[i];
     }
     E::feature(&outside)
 }

@@ -64,9 +64,10 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
     let mut known = None;
     let mut extent = core::array::from_fn(E::extent);
     if P > 0 && !given && !matches!(E::SEARCH, Search::Closed) {
-        match newton::<E, D, P, H>(x, parameters, rows, &mut zeta, &mut extent) {
+        let newton =
+            newton::<E, D, P, H>(x, parameters, rows, &mut zeta, &mut extent, &mut iterations);
+        match newton {
             Ok(found) => {
-                iterations = found.iterations;
                 is_checked = found.is_checked;
                 known = found.vectors;
             }
@@ -96,7 +97,7 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
         return Ok(Projected {
             zeta: found.zeta,
             vectors: E::kinematics(x, &found.zeta, parameters, rows),
-            iterations: found.iterations,
+            iterations: iterations + found.iterations,
             feature: found.feature,
         });
     }
@@ -149,8 +150,6 @@ fn copy<T: Copy>(from: &[T], to: &mut [T]) {
 
 /// Where Newton's method ends.
 struct Found<const D: usize, const P: usize, const H: usize> {
-    /// Steps taken.
-    iterations: u32,
     /// F was regular so close by that it is regular here.
     is_checked: bool,
     /// Kinematics here, where they take no sums over the nodes.
@@ -164,6 +163,7 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     rows: &mut Rows<'_, P>,
     zeta: &mut [f64; P],
     extent: &mut [f64; P],
+    iterations: &mut u32,
 ) -> Result<Found<D, P, H>, Status> {
     let multilinear = is_multilinear::<E, D, P, H>();
     let centre = E::centre();
@@ -175,6 +175,7 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     let most = if is_affine { 3 } else { MOST_STEPS };
     let mut previous = f64::MAX;
     for iteration in 1..=most {
+        *iterations = iteration;
         let vectors = if !multilinear {
             E::kinematics(x, zeta, parameters, rows)
         } else if *zeta == centre {
@@ -194,7 +195,9 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         } = step::<E, D, P, H>(&vectors)?;
         let mut size: f64 = 0.0;
         for i in 0..P {
-            change[i] = limited(change[i], extent[i]);
+            if !is_affine {
+                change[i] = limited(change[i], extent[i]);
+            }
             zeta[i] += change[i];
             let relative = abs(change[i]) / extent[i];
             size = if relative > size { relative } else { size };
@@ -205,7 +208,6 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         let is_finished = finished(E::SEARCH, iteration, size, previous, is_sharp);
         if stagnates || is_finished {
             return Ok(Found {
-                iterations: iteration,
                 is_checked: is_finished && !is_delicate,
                 vectors: multilinear.then(|| displaced::<E, D, P, H>(&at_centre, &centre, zeta)),
             });
@@ -252,7 +254,7 @@ fn displaced<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize
 /// After a step of relative size `size`: is the next one below rounding? Quadratic convergence makes it
 /// C·size² with C = size/previous², but a single ratio can be small by luck, so C counts as at least 1; where the
 /// tangents are nearly parallel it is not quadratic, since the solve loses digits, and steps go on down to
-/// rounding. An affine pair needs a second step only to remove the rounding of a far start, and two more where
+/// rounding. An affine pair needs a second step only to remove the rounding of a far one, and two more where
 /// the tangents are nearly parallel: a solve loses ε/sin²θ, each further one as much of what is left.
 #[inline(always)]
 fn finished(search: Search, iteration: u32, size: f64, previous: f64, is_sharp: bool) -> bool {

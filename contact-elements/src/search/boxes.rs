@@ -1,6 +1,6 @@
 //! Branch and bound over boxes of parameters.
 
-use super::descent::{Foot, definiteness, dot, least_in_box, square};
+use super::descent::{Foot, definiteness, descended, dot, least_in_box, square};
 use super::enclosure::{Enclosure, size};
 use super::interval::{Interval, MOST_OPERATIONS, Scratch};
 use super::region::{Box, FAR, Region};
@@ -28,6 +28,8 @@ pub(super) struct Search<'a> {
     /// Squared distance of the best foot, or of the reach.
     best: f64,
     foot: Option<Foot>,
+    /// It is held by a side of its box behind which r·r falls: what is found there is the same minimum.
+    is_cut: bool,
     /// Another foot as near as the best.
     is_double: bool,
     overflows: bool,
@@ -44,6 +46,7 @@ impl<'a> Search<'a> {
             count: 0,
             best: if reach > 0.0 { reach * reach } else { f64::MAX },
             foot: None,
+            is_cut: false,
             is_double: false,
             overflows: false,
             boxes: 0,
@@ -72,7 +75,7 @@ impl<'a> Search<'a> {
         self.finish()
     }
 
-    /// A distance to begin with: the least of a few points.
+    /// A distance to begin with: the least of a few points, and where Newton's method leads from there.
     fn sample(&mut self, whole: &Box) {
         const SHARES: [f64; 4] = [0.08, 0.36, 0.64, 0.92];
         let near = |lower: f64, upper: f64| {
@@ -82,15 +85,23 @@ impl<'a> Search<'a> {
             };
             SHARES.map(|share| (low + share * (high - low)).max(lower).min(upper))
         };
-        let mut least = f64::MAX;
+        let (mut start, mut least) = ([0.0; 2], f64::MAX);
         for first in near(whole.lower[0], whole.upper[0]) {
             for last in near(whole.lower[1], whole.upper[1]) {
                 let last = match self.region.triangle {
                     true => last * (1.0 - first),
                     false => last,
                 };
-                least = least.min(square(&self.sides.at(&[first, last]).r));
+                let square = square(&self.sides.at(&[first, last]).r);
+                if square < least {
+                    (start, least) = ([first, last], square);
+                }
             }
+        }
+        let (foot, steps) = descended(self.sides, start, whole);
+        self.steps += steps;
+        if !self.region.triangle || foot.zeta[0] + foot.zeta[1] <= 1.0 {
+            least = least.min(foot.square);
         }
         // nothing farther than this point is looked at
         self.best = self.best.min(least * (1.0 + SAME));
@@ -132,7 +143,8 @@ impl<'a> Search<'a> {
         if known.is_convex(wide) || known.is_point || widths[widest] < NARROW {
             let (foot, steps) = least_in_box(self.sides, &next, self.region.triangle);
             self.steps += steps;
-            return self.take(foot);
+            let is_cut = self.is_cut(&next, &foot);
+            return self.take(foot, is_cut);
         }
         let (low, high) = next.halves(widest);
         self.push(low);
@@ -200,7 +212,7 @@ impl<'a> Search<'a> {
     }
 
     /// Keeps the nearer of two feet.
-    fn take(&mut self, foot: Foot) {
+    fn take(&mut self, foot: Foot, is_cut: bool) {
         let near = |other: &Foot| {
             (0..2)
                 .take(self.region.p)
@@ -208,19 +220,54 @@ impl<'a> Search<'a> {
         };
         let Some(best) = self.foot else {
             if foot.square <= self.best * (1.0 + SAME) {
-                (self.best, self.foot) = (foot.square.min(self.best), Some(foot));
+                (self.foot, self.is_cut) = (Some(foot), is_cut);
+                self.best = foot.square.min(self.best);
             }
             return;
         };
-        if foot.square < best.square * (1.0 - SAME) {
-            (self.best, self.foot, self.is_double) = (foot.square, Some(foot), false);
-        } else if foot.square <= best.square * (1.0 + SAME) {
-            if !near(&best) && self.are_apart(&foot, &best) {
-                self.is_double = true;
-            } else if foot.square < best.square {
-                (self.best, self.foot) = (foot.square, Some(foot));
-            }
+        if foot.square > best.square * (1.0 + SAME) {
+            return;
         }
+        if foot.square < best.square * (1.0 - SAME) {
+            self.is_double = false;
+        } else if !is_cut && !self.is_cut && !near(&best) && self.are_apart(&foot, &best) {
+            self.is_double = true;
+        }
+        // of two as near as each other the one that no box cuts off
+        let is_kept = if is_cut == self.is_cut {
+            foot.square < best.square
+        } else {
+            self.is_cut
+        };
+        if is_kept || foot.square < best.square * (1.0 - SAME) {
+            (self.foot, self.is_cut) = (Some(foot), is_cut);
+        }
+        self.best = self.best.min(foot.square);
+    }
+
+    /// True where a side of the box that is none of the domain holds the foot: r·r falls beyond it, by more than
+    /// rounding.
+    fn is_cut(&self, within: &Box, foot: &Foot) -> bool {
+        let local = self.sides.at(&foot.zeta);
+        let mut fall = [0_usize, 1].map(|i| -dot(&local.r, &local.b[i.min(1)]));
+        let on_diagonal = self.region.triangle && foot.zeta[0] + foot.zeta[1] >= 1.0 - 1e-12;
+        if on_diagonal && fall[0] + fall[1] > 0.0 {
+            let along = 0.5 * (fall[0] - fall[1]);
+            fall = [along, -along];
+        }
+        let (low, high) = (self.region.lower, self.region.upper);
+        (0..2).take(self.region.p).any(|i| {
+            let i = i.min(1);
+            let rounding = self.rounding(i, &local);
+            let below = foot.zeta[i] <= within.lower[i] && within.lower[i] > low[i];
+            let above = foot.zeta[i] >= within.upper[i] && within.upper[i] < high[i];
+            below && fall[i] < -rounding || above && fall[i] > rounding
+        })
+    }
+
+    /// What f_i may be at a foot.
+    fn rounding(&self, i: usize, local: &Local<f64>) -> f64 {
+        1e-12 * sqrt(square(&local.b[i.min(1)])) * size(local, self.region.p)
     }
 
     /// Two feet are two points of the slave or of the master: not the same one of a closed curve.
@@ -273,8 +320,7 @@ impl<'a> Search<'a> {
             let i = i.min(1);
             dot(&local.r, &local.b[i])
         });
-        let rounding =
-            |i: usize| 1e-12 * sqrt(square(&local.b[i.min(1)])) * size(local, self.region.p);
+        let rounding = |i: usize| self.rounding(i, local);
         let (low, high) = (self.region.lower, self.region.upper);
         let slack = |i: usize| 1e-12 * self.extent(i);
         let on_low = [0_usize, 1].map(|i| foot.zeta[i.min(1)] <= low[i.min(1)] + slack(i));

@@ -84,6 +84,13 @@ pub(super) fn least_in_box(sides: &Sides<'_>, within: &Box, triangle: bool) -> (
     (Foot { zeta: foot, square }, steps)
 }
 
+/// Where Newton's method leads from a point of a box, and the steps that it took.
+pub(super) fn descended(sides: &Sides<'_>, start: [f64; 2], within: &Box) -> (Foot, u32) {
+    let (zeta, steps) = newton(sides, start, within);
+    let square = square(&sides.at(&zeta).r);
+    (Foot { zeta, square }, steps)
+}
+
 /// Projected Newton steps: bounds that hold are kept, others are free.
 fn newton(sides: &Sides<'_>, start: [f64; 2], within: &Box) -> ([f64; 2], u32) {
     let mut zeta = start;

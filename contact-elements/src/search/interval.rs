@@ -42,22 +42,22 @@ impl Interval {
         }
     }
 
-    /// One step outwards, within the finite range; everything where a bound is no number.
+    /// A [`step`] outwards, within the finite range; everything where a bound is no number.
     fn outward(lower: f64, upper: f64) -> Self {
         if lower >= -HUGE && upper <= HUGE && lower <= upper {
             Self {
-                lower: lower.next_down(),
-                upper: upper.next_up(),
+                lower: lower - step(lower),
+                upper: upper + step(upper),
             }
         } else {
             Self {
                 lower: if (-HUGE..=HUGE).contains(&lower) {
-                    lower.next_down()
+                    lower - step(lower)
                 } else {
                     -HUGE
                 },
                 upper: if (-HUGE..=HUGE).contains(&upper) {
-                    upper.next_up()
+                    upper + step(upper)
                 } else {
                     HUGE
                 },
@@ -110,13 +110,25 @@ impl Interval {
             self.upper * other.upper,
         ];
         let [first, rest @ ..] = products;
-        let lower = rest.iter().fold(first, |least, &value| least.min(value));
-        let upper = rest.iter().fold(first, |most, &value| most.max(value));
+        // comparisons, since products of finite bounds are numbers
+        let lower = rest.iter().fold(
+            first,
+            |least, &value| if value < least { value } else { least },
+        );
+        let upper = rest.iter().fold(
+            first,
+            |most, &value| if value > most { value } else { most },
+        );
         Self::outward(lower, upper)
     }
 
     pub(super) fn times(self, factor: f64) -> Self {
-        self.multiply(Self::exactly(factor))
+        let (lower, upper) = (self.lower * factor, self.upper * factor);
+        if factor < 0.0 {
+            Self::outward(upper, lower)
+        } else {
+            Self::outward(lower, upper)
+        }
     }
 
     pub(super) fn square(self) -> Self {
@@ -220,6 +232,11 @@ impl Interval {
     }
 }
 
+/// One or two units of the last place: at least the step to the next number.
+fn step(value: f64) -> f64 {
+    arithmetic::abs(value) * f64::EPSILON + f64::MIN_POSITIVE
+}
+
 /// The largest whole number that is not above, of magnitudes up to 1e15.
 fn floor(value: f64) -> f64 {
     let whole = value as i64 as f64;
@@ -319,6 +336,24 @@ mod tests {
                 |x| arithmetic::pow(x, 1.5),
                 ends,
             );
+        }
+    }
+
+    #[test]
+    fn steps_reach_the_next_number() {
+        for value in [
+            0.0,
+            1.0,
+            1.0_f64.next_up(),
+            2.0_f64.next_down(),
+            0.1,
+            -7.3,
+            1e-300,
+            -1e149,
+        ] {
+            let found = Interval::outward(value, value);
+            assert!(found.lower <= value.next_down() && found.upper >= value.next_up());
+            assert!(found.upper - found.lower <= 5.0 * f64::EPSILON * value.abs() + 1e-300);
         }
     }
 

@@ -2,6 +2,7 @@
 
 mod elements;
 mod export;
+mod foot;
 mod fortran77;
 mod geometries;
 mod laws;

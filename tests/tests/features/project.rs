@@ -2,8 +2,8 @@
 
 use contact_elements::abi::{Descriptor, Outcome, Projection, Query, argument, code, project};
 use contact_elements::elements::{
-    HermiteHermiteBeams, PointCircle2d, PointHelix, PointQuad4, PointQuad4Coulomb, PointQuad9,
-    PointSphere, PointTri3,
+    HermiteHermiteBeams, PointCircle2d, PointHelix, PointLine3In2d, PointQuad4, PointQuad4Coulomb,
+    PointQuad9, PointSphere, PointTri3,
 };
 
 const INSIDE: i32 = 0;
@@ -102,6 +102,20 @@ fn two_feet_in_a_trough() {
     }
     // on the focal line F vanishes at the foot, which is known to the root of the root of rounding
     assert!(foot(0.0, 0.5).definiteness.abs() < 1e-6);
+}
+
+/// A foot a few millionths beside -1/2, where the search cuts its boxes, on the parabola y = x²: what the box beside it
+/// ends with is no second foot.
+#[test]
+fn a_foot_beside_a_cut() {
+    for beside in [-5.5e-6, -4e-6, -2.5e-6, 0.0, 2.5e-6, 4e-6, 5.5e-6] {
+        let foot: f64 = -0.5 + beside;
+        let (x, y) = (foot + 2.0 * foot * (foot * foot - 0.7), 0.7);
+        let nodes = [x, y, -1.0, 1.0, 1.0, 1.0, 0.0, 0.0];
+        let result = at(PointLine3In2d::DESCRIPTOR, &nodes, &FACET, 0.0);
+        assert_eq!(result.verdict, INSIDE, "{beside}: {result:?}");
+        assert!((result.zeta[0] - foot).abs() < 1e-13, "{result:?}");
+    }
 }
 
 /// The nearest turn of a helix, found among all of them.

@@ -83,7 +83,7 @@ impl Coordinates<'_> {
 impl Nodes<'_> {
     /// Checks all coordinates of the first `count` nodes before anything is computed with them.
     #[inline(always)]
-    fn check<const D: usize>(&self, count: usize) -> Result<(), InputError> {
+    pub(super) fn check<const D: usize>(&self, count: usize) -> Result<(), InputError> {
         let mut signs = 0;
         if let (None, None, Some(block)) = (&self.u, self.connectivity, self.x.dense::<D>(count)) {
             for &value in block {
@@ -122,14 +122,14 @@ impl Nodes<'_> {
     }
 
     #[inline(always)]
-    fn reference<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
+    pub(super) fn reference<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
         self.number(a)
             .and_then(|node| self.x.node(node))
             .ok_or(InputError::Position(a))
     }
 
     #[inline(always)]
-    fn displacement<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
+    pub(super) fn displacement<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
         match &self.u {
             None => Ok([0.0; D]),
             Some(u) => self

@@ -1,6 +1,6 @@
 //! Time per contact of a batch, beside one call after the other and the hand-written peers, in one process.
 //!
-//! `contact-batch-cost [folder of the peers' libraries] [title of one table]`
+//! `contact-batch-cost [folder of the peers' libraries] [title of one table] [rounds]`
 
 mod peers;
 mod states;
@@ -10,8 +10,6 @@ use contact_elements::runtime::Width;
 use peers::Peer;
 use states::States;
 use work::{Work, Workspace};
-
-const ROUNDS: usize = 31;
 
 /// One way to do some work.
 struct Way<'a> {
@@ -57,7 +55,7 @@ fn table(title: &str, states: &States, work: Work, peers: &[Peer]) {
             times: vec![],
         });
     }
-    let mut alone = Workspace::new(32);
+    let mut alone = Workspace::new(1);
     ways.push(Way {
         name: "one call each".into(),
         run: Box::new(move || alone.one_by_one(states, work)),
@@ -67,7 +65,7 @@ fn table(title: &str, states: &States, work: Work, peers: &[Peer]) {
         if width > Width::widest() {
             continue;
         }
-        for size in [32, 256] {
+        for size in [8, 16, 256] {
             let mut workspace = Workspace::new(size);
             ways.push(Way {
                 name: format!("batch of {size}, {width:?}"),
@@ -76,7 +74,8 @@ fn table(title: &str, states: &States, work: Work, peers: &[Peer]) {
             });
         }
     }
-    for _ in 0..ROUNDS {
+    let rounds = std::env::args().nth(3).and_then(|text| text.parse().ok());
+    for _ in 0..rounds.unwrap_or(31) {
         for way in &mut ways {
             let start = now();
             (way.run)();

@@ -204,6 +204,20 @@ impl Contacts for Run<'_> {
     }
 
     #[inline(always)]
+    fn blocks(&self) -> Option<(&[f64], usize)> {
+        let (batch, x) = (self.checked.batch, self.checked.x);
+        let is_dense = x.component == 1 && x.node == self.checked.element.dimension;
+        if !is_dense || !batch.u.is_null() || !batch.connectivity.is_null() {
+            return None;
+        }
+        // SAFETY: promised by the caller; the length fits the memory.
+        Some((
+            unsafe { core::slice::from_raw_parts(batch.x, x.length) },
+            x.element,
+        ))
+    }
+
+    #[inline(always)]
     fn receiver(&self, contact: usize) -> Target {
         // SAFETY: promised by the caller.
         unsafe { self.checked.target(contact) }
@@ -288,6 +302,7 @@ impl<'a> Checked<'a> {
 
     /// # Safety
     /// As [`element_evaluate_batch`].
+    #[inline(always)]
     unsafe fn nodes_of(&self, e: usize) -> Nodes<'a> {
         let batch = self.batch;
         let coordinates = |values: *const f64, layout: Layout| Coordinates {
@@ -311,6 +326,7 @@ impl<'a> Checked<'a> {
 
     /// # Safety
     /// As [`element_evaluate_batch`].
+    #[inline(always)]
     unsafe fn target(&self, e: usize) -> Target {
         let batch = self.batch;
         let unknowns = self.unknowns();

@@ -1,10 +1,10 @@
 //! The values of some contacts, one column per value: structure of arrays.
 
-use super::wide::Quad;
+use super::wide::Wide;
 use crate::runtime::element::Element;
 
 /// Contacts of a block.
-pub(super) const ROOM: usize = 32;
+pub(super) const ROOM: usize = 16;
 
 /// Most parameters of an element that is evaluated in lanes.
 pub(super) const MOST_PARAMETERS: usize = 16;
@@ -30,57 +30,58 @@ impl Column {
 }
 
 /// Inputs of a block of contacts.
-pub(super) struct Inputs<'a> {
-    /// D columns per node.
-    pub(super) x: &'a mut [Column],
+pub(super) struct Inputs<'a, const D: usize, const N: usize> {
+    pub(super) x: &'a mut [[Column; D]; N],
     pub(super) parameters: &'a mut [Column],
     pub(super) frozen: &'a mut Column,
     pub(super) zeta: &'a mut [Column],
 }
 
-/// What the outputs of a block are made of; D columns per vector.
-pub struct Points<'a> {
-    pub(super) s: &'a [Column],
-    /// One row of nodes per parameter.
-    pub(super) ds: &'a [Column],
-    pub(super) zeta: &'a [Column],
-    pub(super) b: &'a [Column],
-    pub(super) n: &'a [Column],
-    pub(super) gap: &'a Column,
-    pub(super) iterations: &'a Column,
-    pub(super) traction: &'a Column,
-    pub(super) energy: &'a Column,
-    pub(super) p: &'a [Column],
-    pub(super) left: &'a [Column],
-    pub(super) right_turn: &'a [Column],
-    pub(super) left_turn: &'a [Column],
-    pub(super) good: u32,
-    pub(super) closed: u32,
-    pub(super) inside: u32,
-    /// The feature beyond which a projection lies.
-    pub(super) feature: fn([f64; 2]) -> u8,
+/// Most unknowns of an element that is evaluated in lanes.
+pub(super) const MOST_UNKNOWNS: usize = 40;
+
+/// What residual and tangent of the closed contacts are made of, one record of quadruples for each.
+pub struct Records<const N: usize> {
+    /// n, the p_k, the left_j.
+    pub(super) vectors: [[[f64; 4]; VECTORS]; ROOM],
+    /// Of every node s_A, s_A,1, s_A,2, Σ_j s_A,j right_j[k], Σ_i s_A,i s_ji.
+    pub(super) nodes: [[[f64; 8]; N]; ROOM],
+    pub(super) traction: [f64; ROOM],
+    pub(super) energy: [f64; ROOM],
 }
 
-impl Points<'_> {
-    /// The components of one of several vectors.
+/// Vectors of a record.
+pub(super) const VECTORS: usize = 6;
+
+impl<const N: usize> Records<N> {
     #[inline(always)]
-    pub(super) fn vector<Q: Quad, const D: usize>(
-        &self,
-        columns: &[Column],
-        number: usize,
-        slot: usize,
-    ) -> Q {
-        let mut values = [0.0; 4];
-        if let Some(columns) = columns.as_chunks::<D>().0.get(number) {
-            for k in 0..D {
-                values[k] = columns[k].at(slot);
-            }
+    pub(super) fn new() -> Self {
+        Self {
+            vectors: [[[0.0; 4]; VECTORS]; ROOM],
+            nodes: [[[0.0; 8]; N]; ROOM],
+            traction: [0.0; ROOM],
+            energy: [0.0; ROOM],
         }
-        Q::new(values)
+    }
+
+    /// Quadruple `number` of the vectors of the contacts from `rank` on.
+    #[inline(always)]
+    pub(super) fn deal_vector<T: Wide>(&mut self, rank: usize, number: usize, values: [T; 4]) {
+        let to = self.vectors.as_flattened_mut();
+        let rest = to.get_mut(rank * VECTORS + number..).unwrap_or(&mut []);
+        T::deal(values, rest.as_flattened_mut(), 4 * VECTORS);
+    }
+
+    /// Quadruple `number` of the nodes of the contacts from `rank` on.
+    #[inline(always)]
+    pub(super) fn deal_node<T: Wide>(&mut self, rank: usize, number: usize, values: [T; 4]) {
+        let to = self.nodes.as_flattened_mut().as_flattened_mut();
+        let rest = to.get_mut(rank * 8 * N + 4 * number..).unwrap_or(&mut []);
+        T::deal(values, rest, 8 * N);
     }
 }
 
-/// Values of a block of contacts.
+/// Values of a block of contacts. D columns per vector.
 pub(super) struct Block<const D: usize, const P: usize, const H: usize, const N: usize> {
     /// Positions in the local frame.
     pub(super) x: [[Column; D]; N],
@@ -97,20 +98,26 @@ pub(super) struct Block<const D: usize, const P: usize, const H: usize, const N:
     pub(super) iterations: Column,
     pub(super) s: [Column; N],
     pub(super) ds: [[Column; N]; P],
-    pub(super) traction: Column,
-    pub(super) energy: Column,
-    pub(super) p: [[Column; D]; D],
-    pub(super) left: [[Column; D]; P],
-    /// s_A,j right_j[k]
-    pub(super) right_turn: [[Column; D]; N],
-    /// s_A,i s_ij
-    pub(super) left_turn: [[Column; P]; N],
     /// One bit per contact: stayed on the common path.
     pub(super) good: u32,
     /// Carries load.
     pub(super) closed: u32,
     /// The projection lies in the domain.
     pub(super) inside: u32,
+}
+
+/// What a report of a contact is made of.
+pub struct Points<'a> {
+    pub(super) zeta: &'a [Column],
+    pub(super) b: &'a [Column],
+    pub(super) n: &'a [Column],
+    pub(super) gap: &'a Column,
+    pub(super) iterations: &'a Column,
+    pub(super) good: u32,
+    pub(super) closed: u32,
+    pub(super) inside: u32,
+    /// The feature beyond which a projection lies.
+    pub(super) feature: fn([f64; 2]) -> u8,
 }
 
 impl<const D: usize, const P: usize, const H: usize, const N: usize> Block<D, P, H, N> {
@@ -130,12 +137,6 @@ impl<const D: usize, const P: usize, const H: usize, const N: usize> Block<D, P,
             iterations: ZERO,
             s: [ZERO; N],
             ds: [[ZERO; N]; P],
-            traction: ZERO,
-            energy: ZERO,
-            p: [[ZERO; D]; D],
-            left: [[ZERO; D]; P],
-            right_turn: [[ZERO; D]; N],
-            left_turn: [[ZERO; P]; N],
             good: 0,
             closed: 0,
             inside: 0,
@@ -146,19 +147,11 @@ impl<const D: usize, const P: usize, const H: usize, const N: usize> Block<D, P,
     #[inline(always)]
     pub(super) fn points<E: Element<D, P, H>>(&self) -> Points<'_> {
         Points {
-            s: &self.s,
-            ds: self.ds.as_flattened(),
             zeta: &self.zeta,
             b: self.b.as_flattened(),
             n: &self.n,
             gap: &self.gap,
             iterations: &self.iterations,
-            traction: &self.traction,
-            energy: &self.energy,
-            p: self.p.as_flattened(),
-            left: self.left.as_flattened(),
-            right_turn: self.right_turn.as_flattened(),
-            left_turn: self.left_turn.as_flattened(),
             good: self.good,
             closed: self.closed,
             inside: self.inside,
@@ -168,9 +161,9 @@ impl<const D: usize, const P: usize, const H: usize, const N: usize> Block<D, P,
 
     /// What the gathering of the inputs fills.
     #[inline(always)]
-    pub(super) fn inputs(&mut self) -> Inputs<'_> {
+    pub(super) fn inputs(&mut self) -> Inputs<'_, D, N> {
         Inputs {
-            x: self.x.as_flattened_mut(),
+            x: &mut self.x,
             parameters: &mut self.parameters,
             frozen: &mut self.frozen,
             zeta: &mut self.zeta,

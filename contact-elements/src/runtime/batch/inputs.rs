@@ -2,7 +2,7 @@
 
 use super::Contacts;
 use super::block::{Column, Inputs, ROOM};
-use crate::runtime::gather::{Nodes, is_usable};
+use crate::runtime::gather::{Nodes, are_usable, is_usable};
 use crate::runtime::kernel::can_be_projection;
 
 /// What the inputs of an element look like.
@@ -16,51 +16,73 @@ pub(super) struct Form<'a> {
 
 /// Takes the inputs of `length` contacts; one bit for each whose inputs can be used.
 #[inline(never)]
-pub(super) fn gather<C: Contacts, const D: usize>(
+pub(super) fn gather<C: Contacts, const D: usize, const N: usize>(
     contacts: &C,
     (first, length): (usize, usize),
     form: &Form<'_>,
-    inputs: &mut Inputs<'_>,
+    inputs: &mut Inputs<'_, D, N>,
 ) -> u32 {
     let are_same = contacts.have_same_parameters();
+    let has_vectors = form.vectors.contains(&true);
+    let simple = if has_vectors { None } else { contacts.blocks() };
     let mut good = 0;
     for slot in 0..length.min(ROOM) {
         let contact = first + slot;
-        let Some(parameters) = contacts.parameters(contact) else {
-            continue;
-        };
         if !start(contacts, contact, form, inputs, slot) {
             continue;
         }
-        if !positions::<D>(&contacts.nodes(contact), form.vectors, inputs.x, slot) {
-            continue;
+        let are_usable = match simple {
+            Some((values, apart)) => {
+                let block = values
+                    .get(contact * apart..)
+                    .and_then(|own| own.get(..N * D));
+                block.is_some_and(|block| dense(block, inputs.x, slot))
+            }
+            None => positions(&contacts.nodes(contact), form.vectors, inputs.x, slot),
+        };
+        if are_usable && (are_same || own_parameters(contacts, contact, inputs, slot)) {
+            good |= 1 << slot;
         }
-        if are_same && (first > 0 || slot > 0) {
-            // the columns hold them already
-        } else if are_same {
+    }
+    if are_same {
+        let Some(parameters) = contacts.parameters(first) else {
+            return 0;
+        };
+        if first == 0 {
             for (column, &value) in inputs.parameters.iter_mut().zip(parameters) {
                 *column = Column([value; ROOM]);
             }
-        } else {
-            for (column, &value) in inputs.parameters.iter_mut().zip(parameters) {
-                column.set(slot, value);
-            }
         }
-        good |= 1 << slot;
     }
     good
 }
 
-/// Positions relative to the first node, by the rules of one call. [eq:local-origin]
-#[inline(always)]
-fn positions<const D: usize>(
-    nodes: &Nodes<'_>,
-    vectors: &[bool],
-    x: &mut [Column],
+/// Takes the parameters of one contact; false where they are refused.
+#[inline(never)]
+fn own_parameters<C: Contacts, const D: usize, const N: usize>(
+    contacts: &C,
+    contact: usize,
+    inputs: &mut Inputs<'_, D, N>,
     slot: usize,
 ) -> bool {
-    let (columns, _) = x.as_chunks_mut::<D>();
-    if nodes.check::<D>(columns.len()).is_err() {
+    let Some(parameters) = contacts.parameters(contact) else {
+        return false;
+    };
+    for (column, &value) in inputs.parameters.iter_mut().zip(parameters) {
+        column.set(slot, value);
+    }
+    true
+}
+
+/// Positions relative to the first node, by the rules of one call. [eq:local-origin]
+#[inline(never)]
+fn positions<const D: usize, const N: usize>(
+    nodes: &Nodes<'_>,
+    vectors: &[bool],
+    columns: &mut [[Column; D]; N],
+    slot: usize,
+) -> bool {
+    if nodes.check::<D>(N).is_err() {
         return false;
     }
     let (Ok(origin), Ok(shift)) = (nodes.reference::<D>(0), nodes.displacement::<D>(0)) else {
@@ -88,13 +110,35 @@ fn positions<const D: usize>(
     true
 }
 
+/// [`positions`] of nodes that stand one after another.
+#[inline(always)]
+fn dense<const D: usize, const N: usize>(
+    block: &[f64],
+    columns: &mut [[Column; D]; N],
+    slot: usize,
+) -> bool {
+    let Some(positions) = block.as_chunks::<D>().0.first_chunk::<N>() else {
+        return false;
+    };
+    let origin = positions[0];
+    if !are_usable(positions.as_flattened()) {
+        return false;
+    }
+    for (column, position) in columns.iter_mut().zip(positions) {
+        for k in 0..D {
+            column[k].set(slot, position[k] - origin[k]);
+        }
+    }
+    true
+}
+
 /// Start of the search; false where the history cannot be used.
 #[inline(always)]
-fn start<C: Contacts>(
+fn start<C: Contacts, const D: usize, const N: usize>(
     contacts: &C,
     contact: usize,
     form: &Form<'_>,
-    inputs: &mut Inputs<'_>,
+    inputs: &mut Inputs<'_, D, N>,
     slot: usize,
 ) -> bool {
     let columns = inputs

@@ -34,7 +34,7 @@ use super::element::Element;
 use super::gather::Nodes;
 use super::receiver::{Receiver, Wanted};
 use super::values::Status;
-use block::{Block, ROOM};
+use block::{Block, ROOM, Records};
 use inputs::Form;
 pub(super) use wide::Wide;
 
@@ -56,6 +56,9 @@ pub trait Contacts {
     fn history(&self, contact: usize) -> Option<&[Cell<f64>]>;
     /// Nodes of a contact.
     fn nodes(&self, contact: usize) -> Nodes<'_>;
+    /// All positions and how far one contact's are from the next, where those of a contact are one block and there
+    /// are no displacements.
+    fn blocks(&self) -> Option<(&[f64], usize)>;
     /// Where the outputs of a contact go.
     fn receiver(&self, contact: usize) -> Self::Receiver;
     /// Evaluates a contact by the kernel of one.
@@ -79,9 +82,7 @@ fn evaluate<
     vectors: &[bool; N],
 ) {
     const {
-        assert!(
-            P > 0 && N * D <= outputs::MOST_UNKNOWNS && E::LAYOUT.count <= block::MOST_PARAMETERS
-        )
+        assert!(P > 0 && N * D <= block::MOST_UNKNOWNS && E::LAYOUT.count <= block::MOST_PARAMETERS)
     };
     let wanted = contacts.wanted();
     let (centre, extents) = (E::centre(), core::array::from_fn::<f64, P, _>(E::extent));
@@ -91,18 +92,18 @@ fn evaluate<
         extents: &extents,
     };
     let mut block = Block::<D, P, H, N>::new();
-    let mut scratch = outputs::Scratch::new();
+    let mut records = Records::<N>::new();
     let mut first = 0;
     while first < contacts.count() {
         let length = (contacts.count() - first).min(ROOM);
         let place = (first, length);
-        block.good = inputs::gather::<C, D>(contacts, place, &form, &mut block.inputs());
+        block.good = inputs::gather::<C, D, N>(contacts, place, &form, &mut block.inputs());
         (block.closed, block.inside) = (0, 0);
         for group in (0..length).step_by(T::WIDTH) {
             point::classify::<E, T, D, P, H, N>(&mut block, group, &wanted);
         }
-        point::load::<E, T, D, P, H, N>(&mut block, &wanted);
-        T::write::<C, D, P>(&block.points::<E>(), contacts, place, &mut scratch);
+        point::load::<E, T, D, P, H, N>(&mut block, &mut records, &wanted);
+        T::write::<C, D, P, N>(&block.points::<E>(), contacts, place, &records);
         first += length;
     }
 }

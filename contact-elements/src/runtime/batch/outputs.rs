@@ -3,197 +3,190 @@
 //! Rows of K by the rules of [`contract`](crate::runtime::contract), lanes across the unknowns of one contact.
 
 use super::Contacts;
-use super::block::Points;
+use super::block::{MOST_UNKNOWNS, Points, ROOM, Records, VECTORS};
 use super::wide::{Quad, Wide};
 use crate::runtime::enforcement::remembered;
-use crate::runtime::receiver::{Receiver, Report, Wanted};
+use crate::runtime::receiver::{Receiver, Report};
 use crate::runtime::rolling::Rolling;
 use crate::runtime::values::Status;
-
-/// Most unknowns of an element that is evaluated in lanes.
-pub(super) const MOST_UNKNOWNS: usize = 40;
 
 /// Length of a row with room for whole lanes.
 const ROW: usize = MOST_UNKNOWNS + 8;
 
 /// Writes the outputs of all contacts of the block.
 #[inline(always)]
-pub(super) fn write<C: Contacts, T: Wide, const D: usize, const P: usize>(
+pub(super) fn write<C: Contacts, T: Wide, const D: usize, const P: usize, const N: usize>(
     points: &Points<'_>,
     contacts: &mut C,
     (first, length): (usize, usize),
-    scratch: &mut Scratch<D, P>,
+    records: &Records<N>,
 ) {
     let wanted = contacts.wanted();
     let reports = contacts.reports();
-    let unknowns = points.s.len() * D;
+    let unknowns = N * D;
+    let mut rank = 0;
+    let mut scratch = Scratch::<D, P, N> {
+        u: [[0.0; ROW]; D],
+        g: [[0.0; ROW]; P],
+        matrix: [[[[0.0; D]; N]; D]; N],
+    };
     for slot in 0..length {
         let contact = first + slot;
         let has = |bits: u32| bits >> slot & 1 != 0;
+        let own = rank;
+        rank += usize::from(has(points.closed));
         if !has(points.good) {
             contacts.evaluate_alone(contact);
             continue;
         }
         let mut receiver = contacts.receiver(contact);
-        let (status, energy) = if has(points.closed) {
-            closed::<C::Receiver, T, D, P>(points, slot, &wanted, scratch, &mut receiver);
-            (Status::Closed, 1.0 * (points.energy.at(slot) + 0.0))
+        let mut status = Status::Outside;
+        let (mut energy, mut traction) = (0.0, 0.0);
+        if has(points.closed) {
+            status = Status::Closed;
+            traction = records.traction[own % ROOM];
+            energy = 1.0 * (records.energy[own % ROOM] + 0.0);
+            let vectors = &records.vectors[own % ROOM];
+            let nodes = &records.nodes[own % ROOM];
+            if wanted.residual {
+                residual::<_, D, N>(nodes, &vectors[0], traction, &mut receiver);
+            }
+            if wanted.tangent {
+                tangent::<_, T, D, P, N>(nodes, vectors, &mut scratch, &mut receiver);
+            }
         } else {
             receiver.open(unknowns);
-            let status = if has(points.inside) {
-                Status::Open
-            } else {
-                Status::Outside
-            };
-            (status, 0.0)
-        };
+            if has(points.inside) {
+                status = Status::Open;
+            }
+        }
         if reports {
-            receiver.report(0, &report(points, slot, status));
+            receiver.report(0, &report(points, slot, status, traction));
         }
         receiver.energy(energy);
         contacts.settle(contact, status);
     }
 }
 
-/// Most nodes.
-const NODES: usize = MOST_UNKNOWNS / 2;
-
-/// What the rows of one contact are made of.
-pub struct Scratch<const D: usize, const P: usize> {
+/// u_k and g_j of [`contract`](crate::runtime::contract).
+struct Scratch<const D: usize, const P: usize, const N: usize> {
     u: [[f64; ROW]; D],
     g: [[f64; ROW]; P],
-    /// s_A and s_A,j
-    factors: [[f64; 3]; NODES],
     /// K, where it does not go to its place at once.
-    matrix: [f64; MOST_UNKNOWNS * MOST_UNKNOWNS],
+    matrix: [[[[f64; D]; N]; D]; N],
 }
 
-impl<const D: usize, const P: usize> Scratch<D, P> {
-    #[inline(always)]
-    pub(super) fn new() -> Self {
-        Self {
-            u: [[0.0; ROW]; D],
-            g: [[0.0; ROW]; P],
-            factors: [[0.0; 3]; NODES],
-            matrix: [0.0; MOST_UNKNOWNS * MOST_UNKNOWNS],
-        }
-    }
-}
-
-/// Residual and tangent of a closed contact.
+/// Residual of a closed contact.
 #[inline(always)]
-fn closed<R: Receiver, T: Wide, const D: usize, const P: usize>(
-    points: &Points<'_>,
-    slot: usize,
-    wanted: &Wanted,
-    scratch: &mut Scratch<D, P>,
+fn residual<R: Receiver, const D: usize, const N: usize>(
+    nodes: &[[f64; 8]; N],
+    n: &[f64; 4],
+    traction: f64,
     receiver: &mut R,
 ) {
-    let unknowns = points.s.len() * D;
-    if wanted.residual {
-        let mut forces = [0.0; ROW];
-        let pull = T::Quad::same(points.traction.at(slot));
-        let force = pull * points.vector::<T::Quad, D>(points.n, 0, slot);
-        for (a, s) in points.s.iter().enumerate() {
-            let s = T::Quad::same(s.at(slot));
-            (s * force).store(forces.get_mut(a * D..).unwrap_or(&mut []));
+    let mut forces = [[0.0; D]; N];
+    for (to, own) in forces.iter_mut().zip(nodes) {
+        for k in 0..D {
+            to[k] = own[0] * (traction * n[k]);
         }
-        receiver.forces(forces.get(..unknowns).unwrap_or(&[]), D);
     }
-    if !wanted.tangent {
-        return;
-    }
-    factors::<T::Quad, D, P>(points, slot, scratch);
-    let n = core::array::from_fn(|k| points.n.get(k).map_or(0.0, |column| column.at(slot)));
-    let nodes = points.s.len();
-    if let Some(to) = receiver.rows() {
-        rows::<T, D, P>(scratch, nodes, &n, to);
-        return;
-    }
-    let mut matrix = scratch.matrix;
-    let to = matrix.get_mut(..unknowns * unknowns).unwrap_or(&mut []);
-    rows::<T, D, P>(scratch, nodes, &n, to);
-    for (unknown, row) in to.chunks_exact(unknowns.max(1)).enumerate() {
-        receiver.row(unknown, row, true);
+    receiver.forces(forces.as_flattened(), D);
+}
+
+/// Tangent of a closed contact.
+#[inline(always)]
+fn tangent<R: Receiver, T: Wide, const D: usize, const P: usize, const N: usize>(
+    nodes: &[[f64; 8]; N],
+    vectors: &[[f64; 4]; VECTORS],
+    scratch: &mut Scratch<D, P, N>,
+    receiver: &mut R,
+) {
+    factors::<T::Quad, D, P, N>(nodes, vectors, scratch);
+    let n = core::array::from_fn(|k| vectors[0][k]);
+    let Scratch { u, g, matrix } = scratch;
+    let matrix = matrix
+        .as_flattened_mut()
+        .as_flattened_mut()
+        .as_flattened_mut();
+    let mut is_written = false;
+    let to = match receiver.rows() {
+        Some(to) => {
+            is_written = true;
+            to
+        }
+        None => &mut *matrix,
+    };
+    rows::<T, D, P, N>(nodes, &n, (u, g), to);
+    if !is_written {
+        for (unknown, row) in matrix.chunks_exact(N * D).enumerate() {
+            receiver.row(unknown, row, true);
+        }
     }
 }
 
 /// u_k and g_j of [`contract`](crate::runtime::contract), node after node.
 #[inline(always)]
-fn factors<Q: Quad, const D: usize, const P: usize>(
-    points: &Points<'_>,
-    slot: usize,
-    scratch: &mut Scratch<D, P>,
+fn factors<Q: Quad, const D: usize, const P: usize, const N: usize>(
+    nodes: &[[f64; 8]; N],
+    vectors: &[[f64; 4]; VECTORS],
+    scratch: &mut Scratch<D, P, N>,
 ) {
-    let n = points.vector::<Q, D>(points.n, 0, slot);
-    let p: [Q; D] = core::array::from_fn(|k| points.vector::<Q, D>(points.p, k, slot));
-    let left: [Q; P] = core::array::from_fn(|j| points.vector::<Q, D>(points.left, j, slot));
-    let right_turns = points.right_turn.as_chunks::<D>().0;
-    let left_turns = points.left_turn.as_chunks::<P>().0;
-    let nodes = points.s.len();
-    let turns = right_turns.iter().zip(left_turns);
-    let owns = points.s.iter().zip(&mut scratch.factors);
-    for (b, ((s, own), (right_turn, left_turn))) in owns.zip(turns).enumerate() {
-        own[0] = s.at(slot);
-        for j in 0..P {
-            let ds = points.ds.get(j * nodes + b);
-            own[1 + j] = ds.map_or(0.0, |column| column.at(slot));
-        }
+    let n = Q::new(vectors[0]);
+    let p: [Q; D] = core::array::from_fn(|k| Q::new(vectors[1 + k]));
+    let left: [Q; P] = core::array::from_fn(|j| Q::new(vectors[1 + D + j]));
+    for (b, own) in nodes.iter().enumerate() {
         let s = Q::same(own[0]);
         for k in 0..D {
-            let value = s * p[k] + Q::same(right_turn[k].at(slot)) * n;
+            let value = s * p[k] + Q::same(own[3 + k]) * n;
             value.store(scratch.u[k].get_mut(b * D..).unwrap_or(&mut []));
         }
         for j in 0..P {
-            let value = s * left[j] + Q::same(left_turn[j].at(slot)) * n;
+            let value = s * left[j] + Q::same(own[6 + j]) * n;
             value.store(scratch.g[j].get_mut(b * D..).unwrap_or(&mut []));
         }
     }
 }
 
-/// All rows, some columns at a time, the last ones first: lanes beyond the end of a row fall on the beginning of
-/// the next, which is written later.
+/// All rows, the three of a node at once, the last columns first: lanes beyond the end of a row fall on the
+/// beginning of the next, which is written later.
 #[inline(always)]
-fn rows<T: Wide, const D: usize, const P: usize>(
-    scratch: &Scratch<D, P>,
-    nodes: usize,
+fn rows<T: Wide, const D: usize, const P: usize, const N: usize>(
+    nodes: &[[f64; 8]; N],
     n: &[f64; D],
+    (u, g): (&[[f64; ROW]; D], &[[f64; ROW]; P]),
     to: &mut [f64],
 ) {
-    let unknowns = nodes * D;
-    let n = n.map(T::constant);
-    let Some(factors) = scratch.factors.get(..nodes) else {
+    let unknowns = N * D;
+    if to.len() != unknowns * unknowns || unknowns < T::WIDTH {
         return;
-    };
-    for column in (0..unknowns).step_by(T::WIDTH).rev() {
-        let lanes = |row: &[f64; ROW]| T::load(row.get(column..).unwrap_or(&[]));
-        let u = scratch.u.each_ref().map(lanes);
-        let g = scratch.g.each_ref().map(lanes);
-        let mut at = column;
-        for own in factors {
-            let s = T::constant(own[0]);
-            let mut h = T::constant(own[1]) * g[0];
+    }
+    let n = n.map(T::constant);
+    for (a, own) in nodes.iter().enumerate() {
+        let s = T::constant(own[0]);
+        let factors: [T; P] = core::array::from_fn(|j| T::constant(own[1 + j]));
+        for column in (0..unknowns).step_by(T::WIDTH).rev() {
+            let lanes = |row: &[f64; ROW]| T::load(row.get(column..).unwrap_or(&[]));
+            let mut h = factors[0] * lanes(&g[0]);
             for j in 1..P {
-                h = h + T::constant(own[1 + j]) * g[j];
+                h = h + factors[j] * lanes(&g[j]);
             }
             for k in 0..D {
-                put(s * u[k] + n[k] * h, to, at);
-                at += unknowns;
+                let value = s * lanes(&u[k]) + n[k] * h;
+                let at = (a * D + k) * unknowns + column;
+                if a + 1 < N || k + 1 < D || column + T::WIDTH <= unknowns {
+                    debug_assert!(at + T::WIDTH <= to.len());
+                    // SAFETY: `to` has a row per unknown, each at least as long as the lanes; this is not the last
+                    // row, or the lanes end within it.
+                    unsafe { value.store_at(to.as_mut_ptr().add(at)) }
+                } else {
+                    put_some(value, to.get_mut(at..).unwrap_or(&mut []));
+                }
             }
         }
     }
 }
 
-/// To the places from `at` on, as many as there are.
-#[inline(always)]
-fn put<T: Wide>(value: T, to: &mut [f64], at: usize) {
-    match to.get_mut(at..at + T::WIDTH) {
-        Some(to) => value.store(to),
-        None => put_some(value, to.get_mut(at..).unwrap_or(&mut [])),
-    }
-}
-
-#[cold]
+/// To the first places, as many as there are.
 #[inline(always)]
 fn put_some<T: Wide>(value: T, to: &mut [f64]) {
     let mut values = [0.0; 8];
@@ -204,13 +197,8 @@ fn put_some<T: Wide>(value: T, to: &mut [f64]) {
 }
 
 #[inline(never)]
-fn report(points: &Points<'_>, slot: usize, status: Status) -> Report {
+fn report(points: &Points<'_>, slot: usize, status: Status, traction: f64) -> Report {
     let is_closed = status.is_closed();
-    let traction = if is_closed {
-        points.traction.at(slot)
-    } else {
-        0.0
-    };
     let mut report = Report {
         status,
         feature: 0,

@@ -1,6 +1,6 @@
 //! The points of a block in lanes.
 
-use super::block::{Block, Column, MOST_PARAMETERS, ROOM};
+use super::block::{Block, Column, MOST_PARAMETERS, ROOM, Records};
 use super::newton::project;
 use super::wide::Wide;
 use crate::runtime::element::{Element, Layout};
@@ -206,9 +206,10 @@ pub(super) fn load<
     const N: usize,
 >(
     block: &mut Block<D, P, H, N>,
+    records: &mut Records<N>,
     wanted: &Wanted,
 ) {
-    let mut slots = [0u8; ROOM];
+    let mut slots = [0u8; ROOM + 8];
     let (mut left, mut count) = (block.closed, 0);
     while left != 0 {
         if let Some(to) = slots.get_mut(count) {
@@ -218,59 +219,36 @@ pub(super) fn load<
     }
     // lanes beyond the last take its numbers
     let last = slots.get(count.wrapping_sub(1)).copied().unwrap_or(0);
-    for slot in slots.iter_mut().skip(count) {
+    for slot in slots.iter_mut().skip(count).take(8) {
         *slot = last;
     }
-    for group in (0..count).step_by(T::WIDTH) {
-        let slots = slots.get(group..group + T::WIDTH).unwrap_or(&[]);
-        coefficients::<E, T, D, P, H, N>(block, Pack::new(slots, T::WIDTH), wanted);
-    }
-}
-
-/// Which contacts stand in the lanes.
-#[derive(Clone, Copy)]
-struct Pack<'a> {
-    slots: &'a [u8],
-    /// The first, where they are neighbours.
-    neighbours: Option<usize>,
-}
-
-impl<'a> Pack<'a> {
-    #[inline(always)]
-    fn new(slots: &'a [u8], width: usize) -> Self {
-        let first = slots.first().copied().map_or(0, usize::from);
-        let last = slots.last().copied().map_or(0, usize::from);
-        Self {
-            slots,
-            neighbours: (last + 1 == first + width).then_some(first),
-        }
-    }
-
-    #[inline(always)]
-    fn load<T: Wide>(&self, column: &Column) -> T {
-        if let Some(first) = self.neighbours {
-            return load_lanes(column, first);
-        }
-        let mut values = [0.0; 8];
-        for (value, &slot) in values.iter_mut().zip(self.slots) {
-            *value = column.at(usize::from(slot));
-        }
-        T::load(&values)
-    }
-
-    #[inline(always)]
-    fn store<T: Wide>(&self, value: T, column: &mut Column) {
-        if let Some(first) = self.neighbours {
-            return store_lanes(value, column, first);
-        }
-        let mut values = [0.0; 8];
-        value.store(&mut values);
-        for (&value, &slot) in values.iter().zip(self.slots) {
-            column.set(usize::from(slot), value);
+    for rank in (0..count).step_by(T::WIDTH) {
+        let own = slots.get(rank..).and_then(|slots| slots.first_chunk::<8>());
+        let Some(slots) = own else { return };
+        if !coefficients::<E, T, D, P, H, N>(block, records, rank, slots, wanted) {
+            give_up(block, slots.get(..T::WIDTH).unwrap_or(&[]));
         }
     }
 }
 
+/// The values of the contacts in some slots, side by side.
+#[inline(always)]
+fn pack<T: Wide, const K: usize>(columns: &[Column; K], slots: &[u8; 8]) -> [T; K] {
+    let first = usize::from(slots[0]);
+    let own = slots.iter().take(T::WIDTH);
+    if own.enumerate().all(|(lane, &slot)| usize::from(slot) == first + lane) {
+        return core::array::from_fn(|i| load_lanes(&columns[i], first));
+    }
+    let mut packed = [[0.0; 8]; K];
+    for (to, column) in packed.iter_mut().zip(columns) {
+        for (to, &slot) in to.iter_mut().zip(slots).take(T::WIDTH) {
+            *to = column.at(usize::from(slot));
+        }
+    }
+    core::array::from_fn(|i| T::load(&packed[i]))
+}
+
+/// The records of some closed contacts; false where one of them leaves the common path.
 #[inline(always)]
 fn coefficients<
     E: Element<D, P, H>,
@@ -280,74 +258,98 @@ fn coefficients<
     const H: usize,
     const N: usize,
 >(
-    block: &mut Block<D, P, H, N>,
-    pack: Pack<'_>,
+    block: &Block<D, P, H, N>,
+    records: &mut Records<N>,
+    rank: usize,
+    slots: &[u8; 8],
     wanted: &Wanted,
-) {
-    let parameters: [T; MOST_PARAMETERS] =
-        core::array::from_fn(|i| pack.load(&block.parameters[i]));
-    let gap = Gap::<D, T> {
-        n: core::array::from_fn(|k| pack.load(&block.n[k])),
-        distance: pack.load(&block.distance),
-        gap: pack.load(&block.gap),
-    };
+) -> bool {
     let zero = T::constant(0.0);
-    let is_valid = T::bits(zero.below(E::Law::valid(gap.gap, &parameters)));
-    if is_valid != T::all() {
-        give_up(block, pack);
-        return;
+    let mut parameters = [zero; MOST_PARAMETERS];
+    for (i, to) in parameters.iter_mut().enumerate().take(E::LAYOUT.count) {
+        *to = pack(&[block.parameters[i]], slots)[0];
+    }
+    let [distance, own] = pack(&[block.distance, block.gap], slots);
+    let gap = Gap::<D, T> {
+        n: pack(&block.n, slots),
+        distance,
+        gap: own,
+    };
+    if T::bits(zero.below(E::Law::valid(gap.gap, &parameters))) != T::all() {
+        return false;
     }
     let law = E::Law::evaluate(gap.gap, &parameters);
     let mut finite = law.traction.is_finite() & law.slope.is_finite() & law.energy.is_finite();
-    pack.store(law.traction, &mut block.traction);
-    pack.store(law.energy, &mut block.energy);
+    store_some(law.traction, &mut records.traction, rank);
+    store_some(law.energy, &mut records.energy, rank);
+    let s: [T; N] = pack(&block.s, slots);
+    let mut c = Coefficients::default();
+    let mut ds = [[zero; N]; P];
     if wanted.tangent {
         let mut vectors = Vectors::<D, P, H, T>::default();
+        for i in 0..P {
+            vectors.b[i] = pack(&block.b[i], slots);
+            ds[i] = pack(&block.ds[i], slots);
+        }
+        for h in 0..H {
+            vectors.second[h] = pack(&block.second[h], slots);
+        }
         for k in 0..D {
             for i in 0..P {
-                vectors.b[i][k] = pack.load(&block.b[i][k]);
                 finite = finite & vectors.b[i][k].is_finite();
             }
             for h in 0..H {
-                vectors.second[h][k] = pack.load(&block.second[h][k]);
                 finite = finite & vectors.second[h][k].is_finite();
             }
         }
         let orientation = orientation(&E::LAYOUT, &parameters);
-        let c = E::tangent(&vectors, &gap, &law, &parameters, orientation);
-        store_tangent(block, &pack, &c);
+        c = E::tangent(&vectors, &gap, &law, &parameters, orientation);
     }
     if T::bits(finite) != T::all() {
-        give_up(block, pack);
+        return false;
     }
+    deal::<T, D, P, N>(records, rank, &gap.n, &c, (&s, &ds));
+    true
 }
 
-/// Stores what the rows of the tangent are made of: one sum per node and row of the right and of the left factors.
 #[inline(always)]
-fn store_tangent<T: Wide, const D: usize, const P: usize, const H: usize, const N: usize>(
-    block: &mut Block<D, P, H, N>,
-    pack: &Pack<'_>,
+fn store_some<T: Wide>(value: T, to: &mut [f64; ROOM], rank: usize) {
+    // whole lanes: ranks begin at multiples of the width
+    value.store(to.get_mut(rank..).unwrap_or(&mut []));
+}
+
+/// Writes the records of some contacts.
+#[inline(always)]
+fn deal<T: Wide, const D: usize, const P: usize, const N: usize>(
+    records: &mut Records<N>,
+    rank: usize,
+    n: &[T; D],
     c: &Coefficients<D, P, T>,
+    (s, ds): (&[T; N], &[[T; N]; P]),
 ) {
+    let zero = T::constant(0.0);
+    let vector = |v: &[T; D]| core::array::from_fn(|k| if k < D { v[k] } else { zero });
+    records.deal_vector(rank, 0, vector(n));
     for k in 0..D {
-        for l in 0..D {
-            pack.store(c.p[k][l], &mut block.p[k][l]);
-        }
-        for i in 0..P {
-            pack.store(c.left[i][k], &mut block.left[i][k]);
-        }
+        records.deal_vector(rank, 1 + k, vector(&c.p[k]));
     }
-    if P == 0 {
-        return;
+    for j in 0..P {
+        records.deal_vector(rank, 1 + D + j, vector(&c.left[j]));
     }
     for a in 0..N {
-        let ds: [T; P] = core::array::from_fn(|i| pack.load(&block.ds[i][a]));
-        for k in 0..D {
-            pack.store(turned(&ds, |j| c.right[j][k]), &mut block.right_turn[a][k]);
-        }
+        let own: [T; P] = core::array::from_fn(|i| ds[i][a]);
+        let mut values = [zero; 8];
+        values[0] = s[a];
         for i in 0..P {
-            pack.store(turned(&ds, |j| c.s[i][j]), &mut block.left_turn[a][i]);
+            values[1 + i] = own[i];
+            values[6 + i] = turned(&own, |j| c.s[i][j]);
         }
+        for k in 0..D {
+            values[3 + k] = turned(&own, |j| c.right[j][k]);
+        }
+        let [first @ .., e, f, g, h] = values;
+        records.deal_node(rank, 2 * a, first);
+        records.deal_node(rank, 2 * a + 1, [e, f, g, h]);
     }
 }
 
@@ -361,14 +363,14 @@ fn turned<T: Wide, const P: usize>(ds: &[T; P], turn: impl Fn(usize) -> T) -> T 
     sum
 }
 
-/// Leaves the contacts of the lanes to the kernel of one.
+/// Leaves some contacts to the kernel of one.
 #[cold]
 #[inline(never)]
 fn give_up<const D: usize, const P: usize, const H: usize, const N: usize>(
     block: &mut Block<D, P, H, N>,
-    pack: Pack<'_>,
+    slots: &[u8],
 ) {
-    for &slot in pack.slots {
+    for &slot in slots {
         block.good &= !(1 << slot);
     }
 }

@@ -1,8 +1,8 @@
 //! Two lanes of plain arithmetic, for processors without lanes of their own here.
 
 use super::Contacts;
-use super::block::Points;
-use super::outputs::{Scratch, write};
+use super::block::{Points, Records};
+use super::outputs::write;
 use super::wide::{Wide, operators};
 use crate::runtime::Real;
 use crate::runtime::lanes::Lanes;
@@ -86,13 +86,13 @@ impl Wide for Two {
     type Quad = Lanes;
 
     #[inline(never)]
-    fn write<C: Contacts, const D: usize, const P: usize>(
+    fn write<C: Contacts, const D: usize, const P: usize, const N: usize>(
         points: &Points<'_>,
         contacts: &mut C,
         place: (usize, usize),
-        scratch: &mut Scratch<D, P>,
+        records: &Records<N>,
     ) {
-        write::<C, Self, D, P>(points, contacts, place, scratch);
+        write::<C, Self, D, P, N>(points, contacts, place, records);
     }
 
     #[inline(always)]
@@ -103,6 +103,19 @@ impl Wide for Two {
     fn store(self, to: &mut [f64]) {
         if let Some(to) = to.first_chunk_mut() {
             *to = self.0;
+        }
+    }
+    #[inline(always)]
+    unsafe fn store_at(self, to: *mut f64) {
+        // SAFETY: promised by the caller.
+        unsafe { *to.cast() = self.0 }
+    }
+    #[inline(always)]
+    fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize) {
+        for (lane, record) in to.chunks_mut(apart.max(1)).enumerate().take(2) {
+            for (to, value) in record.iter_mut().zip(quadruple) {
+                *to = value.0[lane];
+            }
         }
     }
     #[inline(always)]

@@ -6,8 +6,7 @@
 use core::ops::{Add, BitAnd, BitOr, Mul, Not};
 
 use super::Contacts;
-use super::block::Points;
-use super::outputs::Scratch;
+use super::block::{Points, Records};
 use crate::runtime::Real;
 use crate::runtime::lanes::Lanes;
 
@@ -27,11 +26,11 @@ pub trait Wide: Real {
     type Quad: Quad;
 
     /// [`outputs::write`](super::outputs::write), compiled for these lanes.
-    fn write<C: Contacts, const D: usize, const P: usize>(
+    fn write<C: Contacts, const D: usize, const P: usize, const N: usize>(
         points: &Points<'_>,
         contacts: &mut C,
         place: (usize, usize),
-        scratch: &mut Scratch<D, P>,
+        records: &Records<N>,
     );
 
     /// How many.
@@ -46,6 +45,13 @@ pub trait Wide: Real {
     fn load(from: &[f64]) -> Self;
     /// To the first places; nothing where there are too few.
     fn store(self, to: &mut [f64]);
+    /// To `to`.
+    ///
+    /// # Safety
+    /// There is room for as many numbers as there are lanes.
+    unsafe fn store_at(self, to: *mut f64);
+    /// Four numbers of every contact to its record: records are `apart` numbers apart. Nothing where they end.
+    fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize);
     /// self < other
     fn below(self, other: Self) -> Self::Mask;
     /// self ≤ other

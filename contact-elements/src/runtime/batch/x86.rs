@@ -7,8 +7,8 @@ use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr, Not};
 
 use super::Contacts;
-use super::block::Points;
-use super::outputs::{Scratch, write};
+use super::block::{Points, Records};
+use super::outputs::write;
 use super::wide::{Quad, Wide, operators};
 use crate::runtime::Real;
 use crate::runtime::lanes::Lanes;
@@ -18,7 +18,7 @@ macro_rules! register {
     ($lanes:ident, $mask:ident, $register:ty, $width:literal, $quad:ty, $features:literal, $docs:literal,
      $set:ident, $load:ident, $store:ident, $add:ident, $subtract:ident, $multiply:ident, $divide:ident,
      $sqrt:ident, $and:ident, $and_not:ident, $or:ident, $xor:ident, $max:ident, $min:ident,
-     $bits:ident, $select:path, $below:path, $at_most:path, $equals:path) => {
+     $bits:ident, $deal:path, $select:path, $below:path, $at_most:path, $equals:path) => {
         #[doc = $docs]
         #[derive(Clone, Copy)]
         pub struct $lanes($register);
@@ -76,23 +76,23 @@ macro_rules! register {
             type Quad = $quad;
 
             #[inline(always)]
-            fn write<C: Contacts, const D: usize, const P: usize>(
+            fn write<C: Contacts, const D: usize, const P: usize, const N: usize>(
                 points: &Points<'_>,
                 contacts: &mut C,
                 place: (usize, usize),
-                scratch: &mut Scratch<D, P>,
+                records: &Records<N>,
             ) {
                 #[target_feature(enable = $features)]
                 #[inline(never)]
-                fn compiled<C: Contacts, const D: usize, const P: usize>(
+                fn compiled<C: Contacts, const D: usize, const P: usize, const N: usize>(
                     points: &Points<'_>,
                     contacts: &mut C,
                     place: (usize, usize),
-                    scratch: &mut Scratch<D, P>,
+                    records: &Records<N>,
                 ) {
-                    write::<C, $lanes, D, P>(points, contacts, place, scratch);
+                    write::<C, $lanes, D, P, N>(points, contacts, place, records);
                 }
-                unsafe { compiled::<C, D, P>(points, contacts, place, scratch) }
+                unsafe { compiled::<C, D, P, N>(points, contacts, place, records) }
             }
 
             #[inline(always)]
@@ -107,6 +107,14 @@ macro_rules! register {
                 if let Some(to) = to.first_chunk_mut::<$width>() {
                     unsafe { $store(to.as_mut_ptr(), self.0) }
                 }
+            }
+            #[inline(always)]
+            unsafe fn store_at(self, to: *mut f64) {
+                unsafe { $store(to, self.0) }
+            }
+            #[inline(always)]
+            fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize) {
+                $deal(quadruple.map(|lanes| lanes.0), to, apart);
             }
             #[inline(always)]
             fn below(self, other: Self) -> $mask {
@@ -193,6 +201,7 @@ register!(
     _mm_max_pd,
     _mm_min_pd,
     _mm_movemask_pd,
+    deal_two,
     select_of_two,
     _mm_cmplt_pd,
     _mm_cmple_pd,
@@ -229,6 +238,7 @@ register!(
     _mm256_max_pd,
     _mm256_min_pd,
     _mm256_movemask_pd,
+    deal_four,
     select_of_four,
     compare_four::<_CMP_LT_OQ>,
     compare_four::<_CMP_LE_OQ>,
@@ -247,6 +257,43 @@ unsafe fn select_of_four(mask: __m256d, yes: __m256d, no: __m256d) -> __m256d {
 #[inline(always)]
 unsafe fn compare_four<const HOW: i32>(a: __m256d, b: __m256d) -> __m256d {
     unsafe { _mm256_cmp_pd::<HOW>(a, b) }
+}
+
+/// Four numbers of two contacts to their records.
+#[inline(always)]
+fn deal_two([a, b, c, d]: [__m128d; 4], to: &mut [f64], apart: usize) {
+    if to.len() < apart + 4 {
+        return;
+    }
+    let to = to.as_mut_ptr();
+    // SAFETY: every x86-64 has SSE2; the records reach so far.
+    unsafe {
+        _mm_storeu_pd(to, _mm_unpacklo_pd(a, b));
+        _mm_storeu_pd(to.add(2), _mm_unpacklo_pd(c, d));
+        _mm_storeu_pd(to.add(apart), _mm_unpackhi_pd(a, b));
+        _mm_storeu_pd(to.add(apart + 2), _mm_unpackhi_pd(c, d));
+    }
+}
+
+/// Four numbers of four contacts to their records.
+#[inline(always)]
+fn deal_four([a, b, c, d]: [__m256d; 4], to: &mut [f64], apart: usize) {
+    if to.len() < 3 * apart + 4 {
+        return;
+    }
+    let to = to.as_mut_ptr();
+    // SAFETY: the processor has AVX2, see the head of the file; the records reach so far.
+    unsafe {
+        let (ab_even, ab_odd) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
+        let (cd_even, cd_odd) = (_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d));
+        _mm256_storeu_pd(to, _mm256_permute2f128_pd::<0x20>(ab_even, cd_even));
+        let second = _mm256_permute2f128_pd::<0x20>(ab_odd, cd_odd);
+        _mm256_storeu_pd(to.add(apart), second);
+        let third = _mm256_permute2f128_pd::<0x31>(ab_even, cd_even);
+        _mm256_storeu_pd(to.add(2 * apart), third);
+        let fourth = _mm256_permute2f128_pd::<0x31>(ab_odd, cd_odd);
+        _mm256_storeu_pd(to.add(3 * apart), fourth);
+    }
 }
 
 impl Quad for Four {
@@ -320,23 +367,23 @@ impl Wide for Eight {
     type Quad = Four;
 
     #[inline(always)]
-    fn write<C: Contacts, const D: usize, const P: usize>(
+    fn write<C: Contacts, const D: usize, const P: usize, const N: usize>(
         points: &Points<'_>,
         contacts: &mut C,
         place: (usize, usize),
-        scratch: &mut Scratch<D, P>,
+        records: &Records<N>,
     ) {
         #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
         #[inline(never)]
-        fn compiled<C: Contacts, const D: usize, const P: usize>(
+        fn compiled<C: Contacts, const D: usize, const P: usize, const N: usize>(
             points: &Points<'_>,
             contacts: &mut C,
             place: (usize, usize),
-            scratch: &mut Scratch<D, P>,
+            records: &Records<N>,
         ) {
-            write::<C, Eight, D, P>(points, contacts, place, scratch);
+            write::<C, Eight, D, P, N>(points, contacts, place, records);
         }
-        unsafe { compiled::<C, D, P>(points, contacts, place, scratch) }
+        unsafe { compiled::<C, D, P, N>(points, contacts, place, records) }
     }
 
     #[inline(always)]
@@ -351,6 +398,17 @@ impl Wide for Eight {
         if let Some(to) = to.first_chunk_mut::<8>() {
             unsafe { _mm512_storeu_pd(to.as_mut_ptr(), self.0) }
         }
+    }
+    #[inline(always)]
+    unsafe fn store_at(self, to: *mut f64) {
+        unsafe { _mm512_storeu_pd(to, self.0) }
+    }
+    #[inline(always)]
+    fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize) {
+        let low = quadruple.map(|lanes| unsafe { _mm512_extractf64x4_pd::<0>(lanes.0) });
+        let high = quadruple.map(|lanes| unsafe { _mm512_extractf64x4_pd::<1>(lanes.0) });
+        deal_four(low, to, apart);
+        deal_four(high, to.get_mut(4 * apart..).unwrap_or(&mut []), apart);
     }
     #[inline(always)]
     fn below(self, other: Self) -> EightMask {

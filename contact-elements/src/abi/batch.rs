@@ -1,4 +1,7 @@
-//! Many contacts of one element, one after the other in order: sums are reproducible.
+//! Many contacts of one element: in lanes where it has a kernel for that, else one after the other. Sums are taken
+//! in the order of the contacts.
+
+use core::cell::Cell;
 
 use super::batch_check::{Checked, Layout};
 use super::evaluate::{fault_of, history, parameters, slave_row, wanted, workspace};
@@ -6,7 +9,7 @@ use super::sizes::{Fault, reported, slave_count};
 use super::target::Target;
 use super::types::{Batch, is_whole};
 use super::{Descriptor, OUTPUT_SIZE, argument, code, request};
-use crate::runtime::{Call, Coordinates, Nodes, Status};
+use crate::runtime::{Call, Contacts, Coordinates, Nodes, Status, Wanted, Width};
 
 /// `cte_element_batch_workspace`.
 ///
@@ -29,6 +32,20 @@ pub unsafe fn element_batch_workspace(element: *const Descriptor, nslave: i32) -
 /// `element` comes from this interface or is null; `batch` points to a struct whose pointers are valid for
 /// the shapes that the header gives, or is null.
 pub unsafe fn element_evaluate_batch(element: *const Descriptor, n: i64, batch: *mut Batch) -> i32 {
+    // SAFETY: promised by the caller.
+    unsafe { element_evaluate_batch_in(element, n, batch, Width::widest()) }
+}
+
+/// [`element_evaluate_batch`] with at most so many lanes.
+///
+/// # Safety
+/// As [`element_evaluate_batch`].
+pub unsafe fn element_evaluate_batch_in(
+    element: *const Descriptor,
+    n: i64,
+    batch: *mut Batch,
+    width: Width,
+) -> i32 {
     if batch.is_null() {
         return code::NULL;
     }
@@ -41,7 +58,9 @@ pub unsafe fn element_evaluate_batch(element: *const Descriptor, n: i64, batch: 
     // SAFETY: promised by the caller.
     let outcome = match unsafe { element.as_ref() } {
         // SAFETY: promised by the caller.
-        Some(element) => unsafe { Checked::new(element, n, batch).and_then(|run| run.all()) },
+        Some(element) => unsafe {
+            Checked::new(element, n, batch).and_then(|checked| all(checked, width))
+        },
         None => Err((code::NULL, argument::ELEMENT, 0)),
     };
     let (code, failures) = match outcome {
@@ -70,41 +89,179 @@ struct Failures {
     index: usize,
 }
 
+/// Evaluates all contacts.
+///
+/// # Safety
+/// As [`element_evaluate_batch`].
+unsafe fn all(checked: Checked<'_>, width: Width) -> Result<Failures, Fault> {
+    let failures = Failures {
+        count: 0,
+        argument: argument::NONE,
+        index: 0,
+    };
+    if checked.count == 0 {
+        return Ok(failures);
+    }
+    let element = checked.element;
+    let needed = element.workspace(checked.nodes);
+    // SAFETY: promised by the caller.
+    let memory = unsafe {
+        workspace(
+            checked.batch.workspace,
+            checked.batch.workspace_size,
+            needed,
+        )?
+    };
+    // SAFETY: promised by the caller.
+    let shared = unsafe { checked.parameters_of(0) };
+    let mut run = Run {
+        checked,
+        shared,
+        memory,
+        failures,
+    };
+    match element.lanes {
+        Some(kernel) if run.count() > 1 => kernel(&mut run, width),
+        _ => {
+            for contact in 0..run.count() {
+                run.evaluate_alone(contact);
+            }
+        }
+    }
+    Ok(run.failures)
+}
+
+/// A batch at work. Made of a batch that was checked, whose caller promised its pointers.
+pub struct Run<'a> {
+    checked: Checked<'a>,
+    /// Parameters of the first contact.
+    shared: Result<&'a [f64], Fault>,
+    memory: &'a mut [f64],
+    failures: Failures,
+}
+
+impl Run<'_> {
+    fn note(&mut self, contact: usize, status: Status, (code, argument, _): Fault) {
+        let batch = self.checked.batch;
+        // SAFETY: promised by the caller: one entry per contact.
+        unsafe {
+            *batch.status.add(contact) = status as i32;
+            if !batch.code.is_null() {
+                *batch.code.add(contact) = code;
+            }
+        }
+        if code != code::SUCCESS {
+            if self.failures.count == 0 {
+                (self.failures.argument, self.failures.index) = (argument, contact);
+            }
+            self.failures.count += 1;
+        }
+    }
+}
+
+impl Contacts for Run<'_> {
+    type Receiver = Target;
+
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.checked.count
+    }
+
+    #[inline(always)]
+    fn wanted(&self) -> Wanted {
+        wanted(self.checked.batch.request)
+    }
+
+    #[inline(always)]
+    fn reports(&self) -> bool {
+        self.checked.batch.request & (request::OUTPUT | request::HISTORY) != 0
+    }
+
+    #[inline(always)]
+    fn have_same_parameters(&self) -> bool {
+        self.checked.parameter_stride == 0
+    }
+
+    #[inline(always)]
+    fn parameters(&self, contact: usize) -> Option<&[f64]> {
+        if self.have_same_parameters() {
+            return self.shared.ok();
+        }
+        // SAFETY: promised by the caller.
+        unsafe { self.checked.parameters_of(contact).ok() }
+    }
+
+    #[inline(always)]
+    fn history(&self, contact: usize) -> Option<&[Cell<f64>]> {
+        // SAFETY: promised by the caller.
+        unsafe { self.checked.history_of(contact) }
+    }
+
+    #[inline(always)]
+    fn nodes(&self, contact: usize) -> Nodes<'_> {
+        // SAFETY: promised by the caller.
+        unsafe { self.checked.nodes_of(contact) }
+    }
+
+    #[inline(always)]
+    fn blocks(&self) -> Option<(&[f64], usize)> {
+        let (batch, x) = (self.checked.batch, self.checked.x);
+        let is_dense = x.component == 1 && x.node == self.checked.element.dimension;
+        if !is_dense || !batch.u.is_null() || !batch.connectivity.is_null() {
+            return None;
+        }
+        // SAFETY: promised by the caller; the length fits the memory.
+        Some((
+            unsafe { core::slice::from_raw_parts(batch.x, x.length) },
+            x.element,
+        ))
+    }
+
+    #[inline(always)]
+    fn receiver(&self, contact: usize) -> Target {
+        // SAFETY: promised by the caller.
+        unsafe { self.checked.target(contact) }
+    }
+
+    #[inline(never)]
+    fn evaluate_alone(&mut self, contact: usize) {
+        // SAFETY: promised by the caller.
+        let (status, fault) = unsafe { self.checked.one(contact, self.memory) };
+        self.note(contact, status, fault);
+    }
+
+    #[inline(always)]
+    fn settle(&mut self, contact: usize, status: Status) {
+        if self.checked.batch.request & request::SYMMETRISE != 0 {
+            let mut target = self.receiver(contact);
+            if !target.k.is_null() {
+                target.symmetrise();
+            }
+        }
+        self.note(contact, status, (code::SUCCESS, argument::NONE, 0));
+    }
+}
+
 impl<'a> Checked<'a> {
-    /// Evaluates all contacts.
-    ///
     /// # Safety
     /// As [`element_evaluate_batch`].
-    unsafe fn all(&self) -> Result<Failures, Fault> {
-        let mut failures = Failures {
-            count: 0,
-            argument: argument::NONE,
-            index: 0,
-        };
-        if self.count == 0 {
-            return Ok(failures);
-        }
-        let needed = self.element.workspace(self.nodes);
+    unsafe fn parameters_of(&self, e: usize) -> Result<&'a [f64], Fault> {
         // SAFETY: promised by the caller.
-        let memory = unsafe { workspace(self.batch.workspace, self.batch.workspace_size, needed)? };
-        for e in 0..self.count {
-            // SAFETY: promised by the caller.
-            let (status, (code, argument, _)) = unsafe { self.one(e, memory) };
-            // SAFETY: promised by the caller: one entry per contact.
-            unsafe {
-                *self.batch.status.add(e) = status as i32;
-                if !self.batch.code.is_null() {
-                    *self.batch.code.add(e) = code;
-                }
-            }
-            if code != code::SUCCESS {
-                if failures.count == 0 {
-                    (failures.argument, failures.index) = (argument, e);
-                }
-                failures.count += 1;
-            }
+        unsafe {
+            let values = self.batch.parameters.add(e * self.parameter_stride);
+            parameters(self.element, values, self.batch.parameter_count)
         }
-        Ok(failures)
+    }
+
+    /// # Safety
+    /// As [`element_evaluate_batch`].
+    #[inline(always)]
+    unsafe fn history_of(&self, e: usize) -> Option<&'a [Cell<f64>]> {
+        // SAFETY: promised by the caller.
+        unsafe {
+            let old = shifted(self.batch.hist_old, e * self.element.history());
+            history(self.element, old)
+        }
     }
 
     /// # Safety
@@ -112,20 +269,15 @@ impl<'a> Checked<'a> {
     unsafe fn one(&self, e: usize, memory: &mut [f64]) -> (Status, Fault) {
         let batch = self.batch;
         // SAFETY: promised by the caller.
-        let prepared = unsafe {
-            let values = batch.parameters.add(e * self.parameter_stride);
-            parameters(self.element, values, batch.parameter_count)
-        };
-        let parameters = match prepared {
+        let parameters = match unsafe { self.parameters_of(e) } {
             Ok(parameters) => parameters,
             Err(fault) => return (Status::Open, fault),
         };
         // SAFETY: promised by the caller.
         let (history, row) = unsafe {
-            let old = shifted(batch.hist_old, e * self.element.history());
             let row = shifted(batch.slave_row, e * (self.nslave + 1));
             (
-                history(self.element, old),
+                self.history_of(e),
                 slave_row(self.element, row, self.nslave),
             )
         };
@@ -150,6 +302,7 @@ impl<'a> Checked<'a> {
 
     /// # Safety
     /// As [`element_evaluate_batch`].
+    #[inline(always)]
     unsafe fn nodes_of(&self, e: usize) -> Nodes<'a> {
         let batch = self.batch;
         let coordinates = |values: *const f64, layout: Layout| Coordinates {
@@ -173,6 +326,7 @@ impl<'a> Checked<'a> {
 
     /// # Safety
     /// As [`element_evaluate_batch`].
+    #[inline(always)]
     unsafe fn target(&self, e: usize) -> Target {
         let batch = self.batch;
         let unknowns = self.unknowns();

@@ -22,7 +22,7 @@ mod transfer;
 mod types;
 
 pub use augment::{augment, history_augment};
-pub use batch::{element_batch_workspace, element_evaluate_batch};
+pub use batch::{Run, element_batch_workspace, element_evaluate_batch, element_evaluate_batch_in};
 pub use codes::{argument, code, kind, request};
 pub use csr::csr_map;
 pub use describe::{
@@ -40,7 +40,7 @@ pub use types::{ApiTable, Arguments, Batch, Info};
 
 use crate::program::{MasterDescription, SlaveDescription};
 use crate::runtime::{
-    Call, Domain, Enforcement, InputError, Layout, Nodes, Summary, can_be_anchor,
+    Call, Domain, Enforcement, InputError, Layout, Nodes, Summary, Width, can_be_anchor,
     can_be_projection, is_side,
 };
 
@@ -58,6 +58,9 @@ pub(crate) const SIDE_HISTORY: usize = 3;
 
 /// The compiled kernel of an element.
 pub type Kernel = fn(&Call<'_>, &Nodes<'_>, &mut [f64], &mut Target) -> Result<Summary, InputError>;
+
+/// The kernel of an element for many contacts at once.
+pub type BatchKernel = fn(&mut Run<'_>, Width);
 
 /// One parameter of an element; names end with a zero byte.
 #[derive(Clone, Copy, Debug)]
@@ -144,6 +147,8 @@ pub struct Descriptor {
     pub extents: [f64; 2],
     /// The kernel.
     pub kernel: Kernel,
+    /// The kernel in lanes, where the declaration asks for one.
+    pub lanes: Option<BatchKernel>,
 }
 
 impl Descriptor {

@@ -151,6 +151,18 @@ impl Target {
 impl Receiver for Target {
     #[inline(never)]
     fn open(&mut self, unknowns: usize) {
+        if self.map.is_null() && self.column_stride == 1 && self.row_stride == unknowns {
+            // SAFETY: f has an entry for every unknown, k all pairs of them.
+            unsafe {
+                if !self.f.is_null() {
+                    core::ptr::write_bytes(self.f, 0, unknowns);
+                }
+                if !self.k.is_null() {
+                    core::ptr::write_bytes(self.k, 0, unknowns * unknowns);
+                }
+            }
+            return;
+        }
         for i in 0..unknowns {
             // SAFETY: f has an entry for every host row, k for every pair of them.
             unsafe {
@@ -185,6 +197,34 @@ impl Receiver for Target {
                 *self.global_f.add(node * self.dimension + component) += value;
             }
         }
+    }
+
+    #[inline(always)]
+    fn forces(&mut self, forces: &[f64], dimension: usize) {
+        if self.f.is_null() || !self.map.is_null() || !self.global_f.is_null() {
+            for (node, force) in forces.chunks(dimension).enumerate() {
+                for (component, &value) in force.iter().enumerate() {
+                    self.force((node, component), value, true);
+                }
+            }
+            return;
+        }
+        // SAFETY: f has an entry for every unknown, and nothing else refers to it now.
+        let to = unsafe { core::slice::from_raw_parts_mut(self.f, forces.len()) };
+        for (to, &value) in to.iter_mut().zip(forces) {
+            *to = self.f_scale * value;
+        }
+    }
+
+    #[inline(always)]
+    fn rows(&mut self) -> Option<&mut [f64]> {
+        let n = self.unknowns;
+        let is_dense = self.map.is_null() && self.column_stride == 1 && self.row_stride == n;
+        if self.k.is_null() || !is_dense || self.k_scale != 1.0 || !self.csr_values.is_null() {
+            return None;
+        }
+        // SAFETY: k has all pairs of unknowns, and nothing else refers to it now.
+        Some(unsafe { core::slice::from_raw_parts_mut(self.k, n * n) })
     }
 
     #[inline(always)]

@@ -4,6 +4,7 @@ use super::angle::{AngleCoefficients, AngleForm, Blend};
 use super::enforcement::Enforcement;
 use super::friction::{Tangential, TangentialLaw};
 use super::motion::{RollingCoefficients, RollingForce};
+use super::real::Real;
 use super::rolling::{self, Rolling, RollingAngles, RollingLayout};
 use super::shape::{Domain, NormalLaw, Traction};
 use super::side;
@@ -174,15 +175,15 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     }
 
     /// Writes the fixed row of the slave's point; nothing where it is projected or given in the call.
-    fn slave(point: usize, parameters: &[f64], s: &mut [f64]);
+    fn slave<T: Real>(point: usize, parameters: &[T], s: &mut [T]);
 
     /// Kinematics at ζ; fills the rows of the nodes that depend on it.
-    fn kinematics(
-        x: &[[f64; D]],
-        zeta: &[f64; P],
-        parameters: &[f64],
-        rows: &mut Rows<'_, P>,
-    ) -> Vectors<D, P, H>;
+    fn kinematics<T: Real>(
+        x: &[[T; D]],
+        zeta: &[T; P],
+        parameters: &[T],
+        rows: &mut Rows<'_, P, T>,
+    ) -> Vectors<D, P, H, T>;
 
     /// Closed projection of the slave's point.
     fn closed_projection(x: &[f64; D], parameters: &[f64]) -> [f64; P];
@@ -201,16 +202,16 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     }
 
     /// Normal, distance and gap. [eq:gap]
-    fn gap(vectors: &Vectors<D, P, H>, parameters: &[f64], orientation: f64) -> Gap<D>;
+    fn gap<T: Real>(vectors: &Vectors<D, P, H, T>, parameters: &[T], orientation: T) -> Gap<D, T>;
 
     /// Coefficients of the tangent.
-    fn tangent(
-        vectors: &Vectors<D, P, H>,
-        gap: &Gap<D>,
-        traction: &Traction,
-        parameters: &[f64],
-        orientation: f64,
-    ) -> Coefficients<D, P>;
+    fn tangent<T: Real>(
+        vectors: &Vectors<D, P, H, T>,
+        gap: &Gap<D, T>,
+        traction: &Traction<T>,
+        parameters: &[T],
+        orientation: T,
+    ) -> Coefficients<D, P, T>;
 
     /// Frame and slip of a point whose parameters moved by ζ − ζ_st since the anchor. [eq:frame] [eq:slip]
     #[inline(always)]

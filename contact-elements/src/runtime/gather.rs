@@ -41,6 +41,16 @@ pub(crate) fn is_usable(value: f64) -> bool {
     (value.to_bits() & !(1 << 63)) <= LARGEST.to_bits()
 }
 
+/// True where all values are usable.
+#[inline(always)]
+pub(super) fn are_usable(values: &[f64]) -> bool {
+    let mut signs = 0;
+    for &value in values {
+        signs |= room(value);
+    }
+    signs >> 63 == 0
+}
+
 /// Negative as an integer for values that are not usable.
 #[inline(always)]
 fn room(value: f64) -> u64 {
@@ -58,7 +68,7 @@ impl Coordinates<'_> {
 
     /// The first `count` nodes, where they stand one after another.
     #[inline(always)]
-    fn dense<const D: usize>(&self, count: usize) -> Option<&[f64]> {
+    pub(super) fn dense<const D: usize>(&self, count: usize) -> Option<&[f64]> {
         if self.component_stride == 1 && self.node_stride == D {
             self.values.get(self.offset..)?.get(..count * D)
         } else {
@@ -83,23 +93,17 @@ impl Coordinates<'_> {
 impl Nodes<'_> {
     /// Checks all coordinates of the first `count` nodes before anything is computed with them.
     #[inline(always)]
-    fn check<const D: usize>(&self, count: usize) -> Result<(), InputError> {
-        let mut signs = 0;
+    pub(super) fn check<const D: usize>(&self, count: usize) -> Result<(), InputError> {
+        let mut can = true;
         if let (None, None, Some(block)) = (&self.u, self.connectivity, self.x.dense::<D>(count)) {
-            for &value in block {
-                signs |= room(value);
-            }
+            can = are_usable(block);
         } else {
             for a in 0..count {
-                for value in self.reference::<D>(a)? {
-                    signs |= room(value);
-                }
-                for value in self.displacement::<D>(a)? {
-                    signs |= room(value);
-                }
+                can &= are_usable(&self.reference::<D>(a)?);
+                can &= are_usable(&self.displacement::<D>(a)?);
             }
         }
-        if signs >> 63 == 0 {
+        if can {
             Ok(())
         } else {
             Err(self.first_unusable::<D>(count))
@@ -122,14 +126,14 @@ impl Nodes<'_> {
     }
 
     #[inline(always)]
-    fn reference<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
+    pub(super) fn reference<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
         self.number(a)
             .and_then(|node| self.x.node(node))
             .ok_or(InputError::Position(a))
     }
 
     #[inline(always)]
-    fn displacement<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
+    pub(super) fn displacement<const D: usize>(&self, a: usize) -> Result<[f64; D], InputError> {
         match &self.u {
             None => Ok([0.0; D]),
             Some(u) => self

@@ -83,7 +83,7 @@ pub(crate) fn is_status(value: f64) -> bool {
 /// Finite numbers, a projection within [`FARTHEST_PROJECTION`] extents; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
 /// that is not negative; with rolling what [`is_remembered`] says; of edges what [`is_side`] says; a multiplier that is not positive.
 #[inline(always)]
-fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+pub(super) fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     history: &[Cell<f64>],
 ) -> Result<(), InputError> {
     for (index, value) in history.iter().enumerate() {

@@ -3,17 +3,18 @@
 //! Each function fills the rows s_A, s_A,i of the nodes it owns and gives r, b_i, r_,ij.
 //! x: positions relative to a local origin, slave nodes first.
 
+use super::real::Real;
 use super::shape::{Rigid, Shape};
 use super::values::{Measure, Rows, Vectors};
 
 /// Σ_slave s_A x_A: position of the slave's point; the master nodes are the last `masters`.
 #[inline(always)]
-pub fn slave_point<const D: usize>(x: &[[f64; D]], s: &[f64], masters: usize) -> [f64; D] {
-    let mut r = [0.0; D];
+pub fn slave_point<const D: usize, T: Real>(x: &[[T; D]], s: &[T], masters: usize) -> [T; D] {
+    let mut r = [T::constant(0.0); D];
     let slaves = x.len().saturating_sub(masters);
     for (x, &s) in x.iter().zip(s.iter()).take(slaves) {
         for k in 0..D {
-            r[k] += s * x[k];
+            r[k] = r[k] + s * x[k];
         }
     }
     r
@@ -21,15 +22,18 @@ pub fn slave_point<const D: usize>(x: &[[f64; D]], s: &[f64], masters: usize) ->
 
 /// Master is one node.
 #[inline(always)]
-pub fn onto_point<const D: usize>(x: &[[f64; D]], rows: &mut Rows<'_, 0>) -> Vectors<D, 0, 0> {
+pub fn onto_point<const D: usize, T: Real>(
+    x: &[[T; D]],
+    rows: &mut Rows<'_, 0, T>,
+) -> Vectors<D, 0, 0, T> {
     let mut vectors = Vectors {
         r: slave_point(x, rows.s, 1),
         ..Vectors::default()
     };
     if let (Some(x), Some(s)) = (x.last(), rows.s.last_mut()) {
-        *s = -1.0;
+        *s = T::constant(-1.0);
         for k in 0..D {
-            vectors.r[k] -= x[k];
+            vectors.r[k] = vectors.r[k] - x[k];
         }
     }
     vectors
@@ -43,12 +47,13 @@ pub fn onto_shape<
     const P: usize,
     const H: usize,
     const N: usize,
+    T: Real,
 >(
-    x: &[[f64; D]],
-    zeta: &[f64; P],
-    weights: &[f64],
-    rows: &mut Rows<'_, P>,
-) -> Vectors<D, P, H> {
+    x: &[[T; D]],
+    zeta: &[T; P],
+    weights: &[T],
+    rows: &mut Rows<'_, P, T>,
+) -> Vectors<D, P, H, T> {
     let mut vectors = Vectors {
         r: slave_point(x, rows.s, N),
         ..Vectors::default()
@@ -67,17 +72,11 @@ pub fn onto_shape<
         }
     }
     for h in 0..H {
-        if !vanishes(&shape.d2[h]) {
+        if G::CURVED[h] {
             vectors.second[h] = combination(&negated(&shape.d2[h]), x);
         }
     }
     vectors
-}
-
-/// −N_A
-#[inline(always)]
-fn negated<const N: usize>(row: &[f64; N]) -> [f64; N] {
-    row.map(|value| -value)
 }
 
 /// True for a row that a geometry gives as zeros: a constant, so that the compiler leaves the sum out, or
@@ -87,20 +86,26 @@ fn vanishes<const N: usize>(row: &[f64; N]) -> bool {
     row.iter().all(|&value| value == 0.0)
 }
 
+/// −N_A
+#[inline(always)]
+fn negated<const N: usize, T: Real>(row: &[T; N]) -> [T; N] {
+    row.map(|value| -value)
+}
+
 /// Σ N_A x_A in two halves, even and odd A: half the latency of one long sum.
 #[inline(always)]
-fn combination<const D: usize, const N: usize>(row: &[f64; N], x: &[[f64; D]; N]) -> [f64; D] {
+fn combination<const D: usize, const N: usize, T: Real>(row: &[T; N], x: &[[T; D]; N]) -> [T; D] {
     let term = |a: usize, k: usize| row[a] * x[a][k];
-    let mut sum = [0.0; D];
+    let mut sum = [T::constant(0.0); D];
     for k in 0..D {
         sum[k] = term(0, k);
         if N > 1 {
             let (mut even, mut odd) = (sum[k], term(1, k));
             for a in 2..N {
                 if a % 2 == 0 {
-                    even += term(a, k);
+                    even = even + term(a, k);
                 } else {
-                    odd += term(a, k);
+                    odd = odd + term(a, k);
                 }
             }
             sum[k] = even + odd;
@@ -111,25 +116,25 @@ fn combination<const D: usize, const N: usize>(row: &[f64; N], x: &[[f64; D]; N]
 
 /// v += Σ N_A x_A
 #[inline(always)]
-fn add_position<const D: usize, const N: usize>(
-    v: &mut [f64; D],
-    row: &[f64; N],
-    x: &[[f64; D]; N],
+fn add_position<const D: usize, const N: usize, T: Real>(
+    v: &mut [T; D],
+    row: &[T; N],
+    x: &[[T; D]; N],
 ) {
     let sum = combination(row, x);
     for k in 0..D {
-        v[k] += sum[k];
+        v[k] = v[k] + sum[k];
     }
 }
 
 /// Master is a rigid curve or surface, r = x_slave − ρ(ζ). [eq:rigid]
 #[inline(always)]
-pub fn onto_rigid<G: Rigid<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    x: &[[f64; D]],
-    zeta: &[f64; P],
-    parameters: &[f64],
-    rows: &mut Rows<'_, P>,
-) -> Vectors<D, P, H> {
+pub fn onto_rigid<G: Rigid<D, P, H>, const D: usize, const P: usize, const H: usize, T: Real>(
+    x: &[[T; D]],
+    zeta: &[T; P],
+    parameters: &[T],
+    rows: &mut Rows<'_, P, T>,
+) -> Vectors<D, P, H, T> {
     let mut vectors = G::position(zeta, parameters);
     let slave = slave_point(x, rows.s, 0);
     for k in 0..D {
@@ -152,12 +157,13 @@ pub fn curve_to_curve<
     const D: usize,
     const NS: usize,
     const NM: usize,
+    T: Real,
 >(
-    x: &[[f64; D]],
-    zeta: &[f64; 2],
-    (slave_weights, master_weights): (&[f64], &[f64]),
-    rows: &mut Rows<'_, 2>,
-) -> Vectors<D, 2, 3> {
+    x: &[[T; D]],
+    zeta: &[T; 2],
+    (slave_weights, master_weights): (&[T], &[T]),
+    rows: &mut Rows<'_, 2, T>,
+) -> Vectors<D, 2, 3, T> {
     let mut vectors = Vectors::default();
     let slave = S::rows(&[zeta[0]], slave_weights);
     let master = M::rows(&[zeta[1]], master_weights);
@@ -168,10 +174,10 @@ pub fn curve_to_curve<
     vectors.r = combination(&slave.n, xs);
     add_position(&mut vectors.r, &n, xm);
     vectors.b = [combination(&slave.d1[0], xs), combination(&d1, xm)];
-    if !vanishes(&slave.d2[0]) {
+    if S::CURVED[0] {
         vectors.second[0] = combination(&slave.d2[0], xs);
     }
-    if !vanishes(&master.d2[0]) {
+    if M::CURVED[0] {
         vectors.second[2] = combination(&negated(&master.d2[0]), xm);
     }
     if let Some(s) = rows.s.first_chunk_mut::<NS>() {
@@ -191,12 +197,18 @@ pub fn curve_to_curve<
 
 /// Both parameters are projected, the master curve is rigid.
 #[inline(always)]
-pub fn curve_to_rigid<S: Shape<1, 1, NS>, M: Rigid<D, 1, 1>, const D: usize, const NS: usize>(
-    x: &[[f64; D]],
-    zeta: &[f64; 2],
-    (slave_weights, parameters): (&[f64], &[f64]),
-    rows: &mut Rows<'_, 2>,
-) -> Vectors<D, 2, 3> {
+pub fn curve_to_rigid<
+    S: Shape<1, 1, NS>,
+    M: Rigid<D, 1, 1>,
+    const D: usize,
+    const NS: usize,
+    T: Real,
+>(
+    x: &[[T; D]],
+    zeta: &[T; 2],
+    (slave_weights, parameters): (&[T], &[T]),
+    rows: &mut Rows<'_, 2, T>,
+) -> Vectors<D, 2, 3, T> {
     let mut vectors = Vectors::default();
     let slave = S::rows(&[zeta[0]], slave_weights);
     let master = M::position(&[zeta[1]], parameters);
@@ -205,11 +217,11 @@ pub fn curve_to_rigid<S: Shape<1, 1, NS>, M: Rigid<D, 1, 1>, const D: usize, con
     };
     vectors.r = combination(&slave.n, xs);
     vectors.b[0] = combination(&slave.d1[0], xs);
-    if !vanishes(&slave.d2[0]) {
+    if S::CURVED[0] {
         vectors.second[0] = combination(&slave.d2[0], xs);
     }
     for k in 0..D {
-        vectors.r[k] -= master.r[k];
+        vectors.r[k] = vectors.r[k] - master.r[k];
         vectors.b[1][k] = -master.b[0][k];
         vectors.second[2][k] = -master.second[0][k];
     }

@@ -10,6 +10,7 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod angle;
+mod batch;
 mod classify;
 mod constrained;
 mod contraction;
@@ -26,6 +27,7 @@ mod motion;
 mod newton_step;
 mod placement;
 mod projection;
+mod real;
 mod receiver;
 mod rolling;
 mod shape;
@@ -37,6 +39,7 @@ mod transfer;
 mod values;
 
 pub use angle::{AngleCoefficients, AngleForm, Blend};
+pub use batch::{Contacts, Width, evaluate_batch};
 pub use contraction::{Temporaries, contract};
 pub use driver::{Stage, evaluate};
 pub use element::{Element, Layout, Search, can_divide};
@@ -54,6 +57,7 @@ pub use kinematics::{
 pub use motion::{Motion, RollingCoefficients, RollingForce};
 pub use placement::Placement;
 pub use projection::{Projected, project};
+pub use real::Real;
 pub use receiver::{Call, Failure, Receiver, Report, Summary, Wanted};
 pub(crate) use rolling::is_remembered;
 pub use rolling::{Rolling, RollingAngles, RollingLayout};

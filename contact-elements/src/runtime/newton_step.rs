@@ -1,17 +1,18 @@
 //! One step of Newton's method for the projection. [eq:newton-step] [eq:det-F]
 
 use super::element::Element;
+use super::real::Real;
 use super::values::{Status, Vectors, dot};
 use crate::arithmetic::{abs, quotient};
 
 /// Tangents count as parallel, and F as singular, below this sine or relative determinant.
-const SINGULAR: f64 = 1e-13;
+pub(super) const SINGULAR: f64 = 1e-13;
 /// det F below this part of its terms may vanish nearby.
-const DELICATE: f64 = 1e-6;
+pub(super) const DELICATE: f64 = 1e-6;
 /// det F below this part of its terms is rounding.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Tangents count as nearly parallel below this sine.
-const SHARP: f64 = 1e-2;
+pub(super) const SHARP: f64 = 1e-2;
 /// Lengths below this are zero [length].
 pub(super) const SMALLEST: f64 = 1e-30;
 
@@ -63,7 +64,8 @@ pub(super) fn step<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         let a12 = dot(&b[0], &b[1]);
         is_sharp = determinant < SHARP * SHARP * a11 * a22;
         let (h11, h12, h22) = (bend(0), bend(1), bend(2));
-        let change_of_f = change_of_determinant::<E, D, P, H>([a11, a12, a22], [h11, h12, h22]);
+        let change_of_f =
+            change_of_determinant::<E, D, P, H, f64>([a11, a12, a22], [h11, h12, h22]);
         let f = determinant + change_of_f;
         let (scaled, terms) = (
             f * a11 * a11,
@@ -120,11 +122,17 @@ pub(super) fn have_normal<const D: usize, const P: usize>(
 
 /// det(a + h) − det a, without the products that vanish identically.
 #[inline(always)]
-fn change_of_determinant<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    [a11, a12, a22]: [f64; 3],
-    [h11, h12, h22]: [f64; 3],
-) -> f64 {
-    let mut sum = 0.0;
+pub(super) fn change_of_determinant<
+    E: Element<D, P, H>,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+    T: Real,
+>(
+    [a11, a12, a22]: [T; 3],
+    [h11, h12, h22]: [T; 3],
+) -> T {
+    let mut sum = T::constant(0.0);
     if E::CURVED[1] {
         sum = -h12 * (a12 + a12 + h12);
     }
@@ -138,21 +146,22 @@ fn change_of_determinant<E: Element<D, P, H>, const D: usize, const P: usize, co
 
 /// Size of the terms that the tangent makes det F of, times a_11²: in the basis b_1, b_2 − (a_12/a_11) b_1.
 #[inline(always)]
-fn terms([a11, a12, determinant]: [f64; 3], h: [f64; 3]) -> f64 {
-    let ([h11, h12, h22], shear) = (h.map(abs), abs(a12));
-    let last = determinant * a11 + h22 * a11 * a11 + 2.0 * shear * h12 * a11 + shear * shear * h11;
+pub(super) fn terms<T: Real>([a11, a12, determinant]: [T; 3], h: [T; 3]) -> T {
+    let ([h11, h12, h22], shear) = (h.map(T::abs), a12.abs());
+    let twice = T::constant(2.0) * shear;
+    let last = determinant * a11 + h22 * a11 * a11 + twice * h12 * a11 + shear * shear * h11;
     let mixed = h12 * a11 + shear * h11;
     (a11 + h11) * last + mixed * mixed
 }
 
 /// |b_1×b_2|²
 #[inline(always)]
-fn area_squared<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    let mut sum = 0.0;
+pub(super) fn area_squared<const D: usize, T: Real>(a: &[T; D], b: &[T; D]) -> T {
+    let mut sum = T::constant(0.0);
     for k in 0..D {
         for l in k + 1..D {
             let minor = a[k] * b[l] - a[l] * b[k];
-            sum += minor * minor;
+            sum = sum + minor * minor;
         }
     }
     sum

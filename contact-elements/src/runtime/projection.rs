@@ -9,6 +9,7 @@ use super::constrained::constrained;
 use super::element::{Element, Search};
 use super::extent::{limited, measure_endless, nearest_integer};
 use super::newton_step::{Step, step, tangents};
+use super::real::Real;
 use super::values::{Rows, Status, Vectors};
 use crate::arithmetic::abs;
 
@@ -26,7 +27,7 @@ pub struct Projected<const D: usize, const P: usize, const H: usize> {
 }
 
 /// Most Newton steps before the projection is given up.
-const MOST_STEPS: u32 = 40;
+pub(super) const MOST_STEPS: u32 = 40;
 
 /// The closed projection, on the turn nearest to the start.
 #[inline(always)]
@@ -181,7 +182,7 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         } else if *zeta == centre {
             at_centre
         } else {
-            displaced::<E, D, P, H>(&at_centre, &centre, zeta)
+            displaced::<E, D, P, H, f64>(&at_centre, &centre, zeta)
         };
         if iteration == 1 {
             measure_endless(&vectors, x, extent);
@@ -209,7 +210,8 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         if stagnates || is_finished {
             return Ok(Found {
                 is_checked: is_finished && !is_delicate,
-                vectors: multilinear.then(|| displaced::<E, D, P, H>(&at_centre, &centre, zeta)),
+                vectors: multilinear
+                    .then(|| displaced::<E, D, P, H, f64>(&at_centre, &centre, zeta)),
             });
         }
         if abs(zeta[0]) > 1e6 * extent[0] || abs(zeta[P - 1]) > 1e6 * extent[P - 1] {
@@ -222,18 +224,29 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
 
 /// r_,11 and r_,22 vanish identically, so that r is linear in each parameter.
 #[inline(always)]
-fn is_multilinear<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>() -> bool {
+pub(super) fn is_multilinear<
+    E: Element<D, P, H>,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>() -> bool {
     !E::CURVED[0] && (P == 1 || !E::CURVED[2])
 }
 
 /// r, b_i and r_,12 at ζ from those at another point, where r is linear in each parameter: r_,12 is constant,
 /// and Newton's steps need neither shape functions nor nodes. [eq:bilinear]
 #[inline(always)]
-fn displaced<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    from: &Vectors<D, P, H>,
-    at: &[f64; P],
-    zeta: &[f64; P],
-) -> Vectors<D, P, H> {
+pub(super) fn displaced<
+    E: Element<D, P, H>,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+    T: Real,
+>(
+    from: &Vectors<D, P, H, T>,
+    at: &[T; P],
+    zeta: &[T; P],
+) -> Vectors<D, P, H, T> {
     let mut to = *from;
     let (first, last) = (zeta[0] - at[0], zeta[P - 1] - at[P - 1]);
     for k in 0..D {
@@ -243,10 +256,10 @@ fn displaced<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize
                 to.b[0][k] = from.b[0][k] + last * mixed;
                 to.b[1][k] = from.b[1][k] + first * mixed;
             }
-            to.r[k] += last * from.b[1][k];
+            to.r[k] = to.r[k] + last * from.b[1][k];
         }
         // r + b_1 d_1 + b_2 d_2 + r_,12 d_1 d_2
-        to.r[k] += first * to.b[0][k];
+        to.r[k] = to.r[k] + first * to.b[0][k];
     }
     to
 }

@@ -72,6 +72,18 @@ pub trait Receiver {
     fn open(&mut self, unknowns: usize);
     /// Entry (node, component) of the residual; `first`: replaces, else adds.
     fn force(&mut self, place: (usize, usize), value: f64, first: bool);
+    /// All entries of the residual, which they replace.
+    fn forces(&mut self, forces: &[f64], dimension: usize) {
+        for (node, force) in forces.chunks(dimension).enumerate() {
+            for (component, &value) in force.iter().enumerate() {
+                self.force((node, component), value, true);
+            }
+        }
+    }
+    /// The rows of the tangent one after another, where they may be written at once.
+    fn rows(&mut self) -> Option<&mut [f64]> {
+        None
+    }
     /// Row `unknown` of the tangent; `first`: replaces, else adds.
     fn row(&mut self, unknown: usize, row: &[f64], first: bool);
     /// Adds to the residual of a multiplier: its node and unknown.

@@ -1,6 +1,8 @@
 //! What a declaration becomes: traits that the macro implements.
 
-use super::values::ShapeRows;
+use super::batch::Wide;
+use super::real::Real;
+use super::values::{ShapeRows, Vectors};
 use crate::arithmetic::abs;
 
 /// Parameter domain of a geometry.
@@ -60,18 +62,35 @@ impl Domain {
             Domain::Triangle => triangle_feature(zeta, slack),
         }
     }
+
+    /// Where [`Domain::feature`] is 0, lane by lane.
+    #[inline(always)]
+    pub(super) fn contains<T: Wide>(&self, zeta: [T; 2], slack: f64) -> T::Mask {
+        let within = |zeta: T, lower: f64, upper: f64| {
+            let slack = slack_of(lower, upper, slack);
+            let (low, high) = (T::constant(lower - slack), T::constant(upper + slack));
+            !zeta.below(low) & !high.below(zeta)
+        };
+        match *self {
+            Domain::Unbounded => T::mask(T::all()),
+            Domain::Interval(lower, upper) => within(zeta[0], lower, upper),
+            Domain::Rectangle(lower, upper) => {
+                within(zeta[0], lower[0], upper[0]) & within(zeta[1], lower[1], upper[1])
+            }
+            Domain::Triangle => {
+                let (low, high) = (T::constant(-slack), T::constant(1.0 + slack));
+                let outside =
+                    zeta[0].below(low) | zeta[1].below(low) | high.below(zeta[0] + zeta[1]);
+                !outside
+            }
+        }
+    }
 }
 
 /// 0 within the bounds, 1 below, 2 above; slack relative to the extent, or to the one bound that is finite.
 #[inline(always)]
 fn side(zeta: f64, lower: f64, upper: f64, slack: f64) -> usize {
-    let slack = slack
-        * match (lower > -f64::MAX, upper < f64::MAX) {
-            (true, true) => upper - lower,
-            (true, false) => abs(lower),
-            (false, true) => abs(upper),
-            (false, false) => 0.0,
-        };
+    let slack = slack_of(lower, upper, slack);
     if zeta < lower - slack {
         1
     } else if zeta > upper + slack {
@@ -79,6 +98,17 @@ fn side(zeta: f64, lower: f64, upper: f64, slack: f64) -> usize {
     } else {
         0
     }
+}
+
+#[inline(always)]
+fn slack_of(lower: f64, upper: f64, slack: f64) -> f64 {
+    slack
+        * match (lower > -f64::MAX, upper < f64::MAX) {
+            (true, true) => upper - lower,
+            (true, false) => abs(lower),
+            (false, true) => abs(upper),
+            (false, false) => 0.0,
+        }
 }
 
 /// Middle of an interval; the finite end, or 0, where an end is missing.
@@ -118,8 +148,10 @@ pub trait Shape<const P: usize, const H: usize, const N: usize> {
     const WEIGHTS: usize;
     /// Controls that are tangent vectors, not positions.
     const VECTORS: [bool; N];
+    /// False where the N_A,ij vanish identically.
+    const CURVED: [bool; H];
     /// N_A, N_A,i, N_A,ij.
-    fn rows(zeta: &[f64; P], weights: &[f64]) -> ShapeRows<P, H, N>;
+    fn rows<T: Real>(zeta: &[T; P], weights: &[T]) -> ShapeRows<P, H, N, T>;
     /// N_A,111, N_A,112, N_A,122, N_A,222; a curve has the first only.
     fn third(zeta: &[f64; P], weights: &[f64]) -> [[f64; N]; 4];
 }
@@ -131,7 +163,7 @@ pub trait Rigid<const D: usize, const P: usize, const H: usize> {
     /// True where all second derivatives vanish.
     const AFFINE: bool;
     /// ρ, ρ_i, ρ_ij as the `r`, `b`, `second` of a position.
-    fn position(zeta: &[f64; P], parameters: &[f64]) -> super::Vectors<D, P, H>;
+    fn position<T: Real>(zeta: &[T; P], parameters: &[T]) -> Vectors<D, P, H, T>;
     /// ρ_,111, ρ_,112, ρ_,122, ρ_,222; a curve has the first only.
     fn third(zeta: &[f64; P], parameters: &[f64]) -> [[f64; D]; 4];
     /// Closed projection of the point x, where declared.
@@ -143,13 +175,13 @@ pub trait Distance<const D: usize> {}
 
 /// N, N' and W of a normal law at one gap.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Traction {
+pub struct Traction<T = f64> {
     /// N = W', negative in contact.
-    pub traction: f64,
+    pub traction: T,
     /// N'
-    pub slope: f64,
+    pub slope: T,
     /// W; 0 where the law declares none.
-    pub energy: f64,
+    pub energy: T,
 }
 
 /// Normal law N(g; parameters). [eq:law]
@@ -159,9 +191,9 @@ pub trait NormalLaw {
     /// True where the law declares its energy.
     const ENERGY: bool;
     /// Positive where the law acts.
-    fn active(gap: f64, parameters: &[f64]) -> f64;
+    fn active<T: Real>(gap: T, parameters: &[T]) -> T;
     /// Positive where the law is defined.
-    fn valid(gap: f64, parameters: &[f64]) -> f64;
+    fn valid<T: Real>(gap: T, parameters: &[T]) -> T;
     /// N, N', W.
-    fn evaluate(gap: f64, parameters: &[f64]) -> Traction;
+    fn evaluate<T: Real>(gap: T, parameters: &[T]) -> Traction<T>;
 }

@@ -1,4 +1,7 @@
-//! Values that travel between the stages. D: space dimension, P: projected parameters, H = P(P+1)/2.
+//! Values that travel between the stages. D: space dimension, P: projected parameters, H = P(P+1)/2,
+//! T: one number or several side by side.
+
+use super::real::Real;
 
 /// Outcome of one contact point. The numbers are those of `CTE_STATUS_*`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -47,64 +50,64 @@ impl Status {
 
 /// Shape functions and their derivatives at one point, orders 0, 1 and 2 (11, 12, 22).
 #[derive(Clone, Copy, Debug)]
-pub struct ShapeRows<const P: usize, const H: usize, const N: usize> {
+pub struct ShapeRows<const P: usize, const H: usize, const N: usize, T = f64> {
     /// N_A
-    pub n: [f64; N],
+    pub n: [T; N],
     /// N_A,i
-    pub d1: [[f64; N]; P],
+    pub d1: [[T; N]; P],
     /// N_A,ij
-    pub d2: [[f64; N]; H],
+    pub d2: [[T; N]; H],
 }
 
 /// Rows s_A and s_A,i of the relative position r = Σ s_A x_A over all nodes of the element.
 #[derive(Debug)]
-pub struct Rows<'a, const P: usize> {
+pub struct Rows<'a, const P: usize, T = f64> {
     /// s_A: + on the slave, − on the master.
-    pub s: &'a mut [f64],
+    pub s: &'a mut [T],
     /// s_A,i
-    pub ds: [&'a mut [f64]; P],
+    pub ds: [&'a mut [T]; P],
 }
 
 /// r, b_i = r_,i and r_,ij at one contact point.
 #[derive(Clone, Copy, Debug)]
-pub struct Vectors<const D: usize, const P: usize, const H: usize> {
+pub struct Vectors<const D: usize, const P: usize, const H: usize, T = f64> {
     /// Relative position: slave minus master [length].
-    pub r: [f64; D],
+    pub r: [T; D],
     /// b_i
-    pub b: [[f64; D]; P],
+    pub b: [[T; D]; P],
     /// r_,11 r_,12 r_,22
-    pub second: [[f64; D]; H],
+    pub second: [[T; D]; H],
 }
 
-impl<const D: usize, const P: usize, const H: usize> Default for Vectors<D, P, H> {
+impl<const D: usize, const P: usize, const H: usize, T: Real> Default for Vectors<D, P, H, T> {
     #[inline(always)]
     fn default() -> Self {
         Self {
-            r: [0.0; D],
-            b: [[0.0; D]; P],
-            second: [[0.0; D]; H],
+            r: [T::constant(0.0); D],
+            b: [[T::constant(0.0); D]; P],
+            second: [[T::constant(0.0); D]; H],
         }
     }
 }
 
 /// Normal, distance and gap. [eq:gap]
 #[derive(Clone, Copy, Debug)]
-pub struct Gap<const D: usize> {
+pub struct Gap<const D: usize, T = f64> {
     /// Unit normal.
-    pub n: [f64; D],
+    pub n: [T; D],
     /// L, with a sign in codimension one [length].
-    pub distance: f64,
+    pub distance: T,
     /// g = L − r0, negative when penetrating [length].
-    pub gap: f64,
+    pub gap: T,
 }
 
-impl<const D: usize> Default for Gap<D> {
+impl<const D: usize, T: Real> Default for Gap<D, T> {
     #[inline(always)]
     fn default() -> Self {
         Self {
-            n: [0.0; D],
-            distance: 0.0,
-            gap: 0.0,
+            n: [T::constant(0.0); D],
+            distance: T::constant(0.0),
+            gap: T::constant(0.0),
         }
     }
 }
@@ -133,25 +136,25 @@ impl<const P: usize> Default for Frame<P> {
 
 /// The small matrices of the tangent of one contact point, see [`contract`](super::contract).
 #[derive(Clone, Copy, Debug)]
-pub struct Coefficients<const D: usize, const P: usize> {
+pub struct Coefficients<const D: usize, const P: usize, T = f64> {
     /// Multiplies s_A s_B.
-    pub p: [[f64; D]; D],
+    pub p: [[T; D]; D],
     /// Multiplies s_A s_B,j with n on the right.
-    pub right: [[f64; D]; P],
+    pub right: [[T; D]; P],
     /// Multiplies s_A,j s_B with n on the left.
-    pub left: [[f64; D]; P],
+    pub left: [[T; D]; P],
     /// Multiplies s_A,i s_B,j n⊗n.
-    pub s: [[f64; P]; P],
+    pub s: [[T; P]; P],
 }
 
-impl<const D: usize, const P: usize> Default for Coefficients<D, P> {
+impl<const D: usize, const P: usize, T: Real> Default for Coefficients<D, P, T> {
     #[inline(always)]
     fn default() -> Self {
         Self {
-            p: [[0.0; D]; D],
-            right: [[0.0; D]; P],
-            left: [[0.0; D]; P],
-            s: [[0.0; P]; P],
+            p: [[T::constant(0.0); D]; D],
+            right: [[T::constant(0.0); D]; P],
+            left: [[T::constant(0.0); D]; P],
+            s: [[T::constant(0.0); P]; P],
         }
     }
 }
@@ -178,10 +181,10 @@ impl<const D: usize> Default for Measure<D> {
 
 /// a·b
 #[inline(always)]
-pub fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+pub fn dot<const D: usize, T: Real>(a: &[T; D], b: &[T; D]) -> T {
     let mut sum = a[0] * b[0];
     for k in 1..D {
-        sum += a[k] * b[k];
+        sum = sum + a[k] * b[k];
     }
     sum
 }

@@ -219,6 +219,15 @@ pub fn gap_not_oriented() -> Diagnostic {
     )
 }
 
+/// A pair that is not evaluated in lanes.
+pub fn no_lanes() -> Diagnostic {
+    Diagnostic::new(
+        "this element has no batch in lanes: they are for points and curves against a shape, by a penalty, \
+         without friction, rolling or angle",
+        "leave `batch` out: its contacts are evaluated one after the other",
+    )
+}
+
 /// A gap that this pair does not have.
 pub fn gap_not_possible(found: &str, possible: &str, reason: &str) -> Diagnostic {
     Diagnostic::new(

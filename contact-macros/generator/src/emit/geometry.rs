@@ -119,7 +119,8 @@ fn shape(geometry: &Geometry) -> TokenStream {
     let h = second_derivatives(p);
     let weights = if *rational { n } else { 0 };
     let domain = domain(&geometry.domain);
-    let affine = curved(geometry).iter().all(|&curved| !curved);
+    let curved = curved(geometry);
+    let affine = curved.iter().all(|&curved| !curved);
     let flags = (0..n).map(|a| vectors.contains(&a));
     let zeta = (0..p).map(|i| quote! { zeta[#i] });
     let zeta_third = zeta.clone();
@@ -136,14 +137,19 @@ fn shape(geometry: &Geometry) -> TokenStream {
             const AFFINE: bool = #affine;
             const WEIGHTS: usize = #weights;
             const VECTORS: [bool; #n] = [#(#flags),*];
+            const CURVED: [bool; #h] = [#(#curved),*];
             #[inline(always)]
             #[allow(unused_variables)]
-            fn rows(zeta: &[f64; #p], weights: &[f64]) -> runtime::ShapeRows<#p, #h, #n> {
+            fn rows<T: runtime::Real>(
+                zeta: &[T; #p],
+                weights: &[T],
+            ) -> runtime::ShapeRows<#p, #h, #n, T> {
+                let zero = T::constant(0.0);
                 let Some(weights) = weights.first_chunk::<#weights>() else {
                     return runtime::ShapeRows {
-                        n: [0.0; #n],
-                        d1: [[0.0; #n]; #p],
-                        d2: [[0.0; #n]; #h],
+                        n: [zero; #n],
+                        d1: [[zero; #n]; #p],
+                        d2: [[zero; #n]; #h],
                     };
                 };
                 let o = rows(&[#(#zeta,)* #(#weight),*]);
@@ -198,7 +204,10 @@ fn rigid(geometry: &Geometry) -> TokenStream {
             const DOMAIN: runtime::Domain = #domain;
             const AFFINE: bool = #affine;
             #[inline(always)]
-            fn position(zeta: &[f64; #p], parameters: &[f64]) -> runtime::Vectors<#d, #p, #h> {
+            fn position<T: runtime::Real>(
+                zeta: &[T; #p],
+                parameters: &[T],
+            ) -> runtime::Vectors<#d, #p, #h, T> {
                 let Some(parameters) = parameters.first_chunk::<#count>() else {
                     return runtime::Vectors::default();
                 };

@@ -67,15 +67,15 @@ fn methods(law: &Law, has_valid: bool) -> TokenStream {
     let (pattern, energy) = if has_energy {
         (quote! { [traction, slope, energy] }, quote! { energy })
     } else {
-        (quote! { [traction, slope] }, quote! { 0.0 })
+        (quote! { [traction, slope] }, quote! { T::constant(0.0) })
     };
     let valid = if has_valid {
         quote! {
-            let Some(parameters) = parameters.first_chunk::<#count>() else { return -1.0 };
+            let Some(parameters) = parameters.first_chunk::<#count>() else { return T::constant(-1.0) };
             valid(&[gap, #(#inputs),*])[0]
         }
     } else {
-        quote! { let _ = (gap, parameters); 1.0 }
+        quote! { let _ = (gap, parameters); T::constant(1.0) }
     };
     quote! {
         #[allow(unused_variables)]
@@ -83,18 +83,19 @@ fn methods(law: &Law, has_valid: bool) -> TokenStream {
             const PARAMETERS: usize = #count;
             const ENERGY: bool = #has_energy;
             #[inline(always)]
-            fn active(gap: f64, parameters: &[f64]) -> f64 {
-                let Some(parameters) = parameters.first_chunk::<#count>() else { return -1.0 };
+            fn active<T: runtime::Real>(gap: T, parameters: &[T]) -> T {
+                let Some(parameters) = parameters.first_chunk::<#count>() else { return T::constant(-1.0) };
                 active(&[gap, #(#inputs),*])[0]
             }
             #[inline(always)]
-            fn valid(gap: f64, parameters: &[f64]) -> f64 {
+            fn valid<T: runtime::Real>(gap: T, parameters: &[T]) -> T {
                 #valid
             }
             #[inline(always)]
-            fn evaluate(gap: f64, parameters: &[f64]) -> runtime::Traction {
+            fn evaluate<T: runtime::Real>(gap: T, parameters: &[T]) -> runtime::Traction<T> {
                 let Some(parameters) = parameters.first_chunk::<#count>() else {
-                    return runtime::Traction::default();
+                    let zero = T::constant(0.0);
+                    return runtime::Traction { traction: zero, slope: zero, energy: zero };
                 };
                 let #pattern = law(&[gap, #(#inputs),*]);
                 runtime::Traction { traction, slope, energy: #energy }

@@ -38,7 +38,7 @@ impl Emitted {
     pub fn shared_items(&self) -> TokenStream {
         let function = self.function_with(
             &self.all_outputs(),
-            guarded,
+            Style::Guarded,
             &quote! { #[inline(always)] pub(super) },
         );
         let (table, constant) = (self.table(), self.constant());
@@ -53,23 +53,22 @@ impl Emitted {
         format_ident!("{}_TABLE", self.function)
     }
 
-    /// The function: `fn name(i: &[f64; n]) -> [f64; m]`.
+    /// The function: `fn name<T>(i: &[T; n]) -> [T; m]`, T one number or several side by side.
     pub fn function(&self, indices: &[usize]) -> TokenStream {
-        self.function_with(indices, operation, &quote! { #[inline(always)] })
+        self.function_with(indices, Style::Generic, &quote! { #[inline(always)] })
     }
 
     /// The function with all outputs, which divides by 1 instead of 0 and takes a negative radicand as 0:
     /// it raises no floating-point exception where the plain one would.
     pub fn guarded_function(&self) -> TokenStream {
-        self.function_with(&self.all_outputs(), guarded, &quote! { #[inline(always)] })
+        self.function_with(
+            &self.all_outputs(),
+            Style::Guarded,
+            &quote! { #[inline(always)] },
+        )
     }
 
-    fn function_with(
-        &self,
-        indices: &[usize],
-        operation: fn(&Program, Node) -> TokenStream,
-        inline: &TokenStream,
-    ) -> TokenStream {
+    fn function_with(&self, indices: &[usize], style: Style, inline: &TokenStream) -> TokenStream {
         let name = &self.function;
         let inputs = self.program.inputs.len();
         let outputs = indices.len();
@@ -79,15 +78,22 @@ impl Emitted {
             inputs,
             outputs
         );
-        let body = self.statements(operation);
+        let body = self.statements(style);
         let results = indices
             .iter()
-            .map(|&index| operand(&self.program, self.program.outputs[index].1));
+            .map(|&index| style.operand(&self.program, self.program.outputs[index].1));
+        let (generics, number) = match style {
+            Style::Generic => (
+                quote! { <T: ::contact_elements::runtime::Real> },
+                quote! { T },
+            ),
+            Style::Guarded => (quote! {}, quote! { f64 }),
+        };
         quote! {
             #[doc = #comment]
             #[allow(clippy::all, unused_variables)]
             #inline
-            fn #name(i: &[f64; #inputs]) -> [f64; #outputs] {
+            fn #name #generics(i: &[#number; #inputs]) -> [#number; #outputs] {
                 #body
                 [#(#results),*]
             }
@@ -103,7 +109,7 @@ impl Emitted {
         (0..self.program.outputs.len()).collect()
     }
 
-    fn statements(&self, operation: fn(&Program, Node) -> TokenStream) -> TokenStream {
+    fn statements(&self, style: Style) -> TokenStream {
         let needed = self.program.needed();
         let graph = &self.program.graph;
         let lines = graph
@@ -115,7 +121,7 @@ impl Emitted {
                     return None;
                 }
                 let name = variable(index);
-                let value = operation(&self.program, node);
+                let value = style.operation(&self.program, node);
                 Some(quote! { let #name = #value; })
             });
         quote! { #(#lines)* }
@@ -172,17 +178,101 @@ fn variable(index: usize) -> Ident {
     Ident::new(&format!("t{index}"), Span::call_site())
 }
 
-fn operand(program: &Program, id: NodeId) -> TokenStream {
-    match program.graph.node(id) {
-        Node::Constant(bits) => literal(f64::from_bits(bits)),
-        Node::Input(index) => {
-            let index = index as usize;
-            quote! { i[#index] }
+/// What the function of a program works on.
+#[derive(Clone, Copy)]
+enum Style {
+    /// One number or several side by side, as written.
+    Generic,
+    /// One number, without a floating-point exception at a zero divisor or a negative radicand.
+    Guarded,
+}
+
+impl Style {
+    fn operand(self, program: &Program, id: NodeId) -> TokenStream {
+        match program.graph.node(id) {
+            Node::Constant(bits) => self.literal(f64::from_bits(bits)),
+            Node::Input(index) => {
+                let index = index as usize;
+                quote! { i[#index] }
+            }
+            Node::Term(inner, _) => self.operand(program, inner),
+            _ => {
+                let name = variable(id.0 as usize);
+                quote! { #name }
+            }
         }
-        Node::Term(inner, _) => operand(program, inner),
-        _ => {
-            let name = variable(id.0 as usize);
-            quote! { #name }
+    }
+
+    fn literal(self, value: f64) -> TokenStream {
+        let literal = literal(value);
+        match self {
+            Style::Generic => quote! { T::constant(#literal) },
+            Style::Guarded => literal,
+        }
+    }
+
+    fn operation(self, program: &Program, node: Node) -> TokenStream {
+        let of = |id: NodeId| self.operand(program, id);
+        match (self, node) {
+            (_, Node::Negate(a)) => {
+                let a = of(a);
+                quote! { -#a }
+            }
+            (_, Node::Add(a, b)) => infix(of(a), quote!(+), of(b)),
+            (_, Node::Subtract(a, b)) => infix(of(a), quote!(-), of(b)),
+            (_, Node::Multiply(a, b)) => infix(of(a), quote!(*), of(b)),
+            (Style::Generic, Node::Divide(a, b)) => infix(of(a), quote!(/), of(b)),
+            (Style::Generic, Node::Unary(function, a)) => {
+                let (name, a) = (Ident::new(unary_name(function), Span::call_site()), of(a));
+                quote! { T::#name(#a) }
+            }
+            (Style::Generic, Node::Binary(function, a, b)) => {
+                let (name, a, b) = (binary_name(function), of(a), of(b));
+                quote! { T::#name(#a, #b) }
+            }
+            (Style::Guarded, _) => self.guarded(program, node),
+            (_, Node::Constant(_) | Node::Input(_) | Node::Term(..)) => {
+                unreachable!("not an operation")
+            }
+        }
+    }
+
+    fn guarded(self, program: &Program, node: Node) -> TokenStream {
+        let of = |id: NodeId| self.operand(program, id);
+        let library = quote! { ::contact_elements::arithmetic };
+        match node {
+            Node::Divide(a, b) => {
+                let (a, b) = (of(a), of(b));
+                quote! { #a / #library::divisor(#b) }
+            }
+            Node::Unary(Unary::Sqrt, a) => {
+                let a = of(a);
+                quote! { #library::sqrt(#library::radicand(#a)) }
+            }
+            Node::Unary(Unary::Ln, a) => {
+                let a = of(a);
+                quote! { #library::ln(#library::divisor(#library::radicand(#a))) }
+            }
+            Node::Unary(function, a) => {
+                let (name, a) = (Ident::new(unary_name(function), Span::call_site()), of(a));
+                quote! { #library::#name(#a) }
+            }
+            Node::Binary(Binary::Pow, a, b) => {
+                let whole =
+                    (program.graph.value(b)).is_some_and(|exponent| exponent.fract() == 0.0);
+                let (a, b) = (of(a), of(b));
+                let base = if whole {
+                    a
+                } else {
+                    quote! { #library::radicand(#a) }
+                };
+                quote! { #library::pow(#library::divisor(#base), #b) }
+            }
+            Node::Binary(Binary::Atan2, a, b) => {
+                let (a, b) = (of(a), of(b));
+                quote! { #library::atan2(#a, #b) }
+            }
+            _ => unreachable!("not an operation"),
         }
     }
 }
@@ -196,67 +286,16 @@ fn literal(value: f64) -> TokenStream {
     }
 }
 
-fn operation(program: &Program, node: Node) -> TokenStream {
-    let of = |id: NodeId| operand(program, id);
-    match node {
-        Node::Negate(a) => {
-            let a = of(a);
-            quote! { -#a }
-        }
-        Node::Add(a, b) => infix(of(a), quote!(+), of(b)),
-        Node::Subtract(a, b) => infix(of(a), quote!(-), of(b)),
-        Node::Multiply(a, b) => infix(of(a), quote!(*), of(b)),
-        Node::Divide(a, b) => infix(of(a), quote!(/), of(b)),
-        Node::Unary(function, a) => {
-            let (name, a) = (Ident::new(unary_name(function), Span::call_site()), of(a));
-            quote! { ::contact_elements::arithmetic::#name(#a) }
-        }
-        Node::Binary(function, a, b) => {
-            let (a, b) = (of(a), of(b));
-            match function {
-                Binary::Pow => quote! { ::contact_elements::arithmetic::pow(#a, #b) },
-                Binary::Atan2 => quote! { ::contact_elements::arithmetic::atan2(#a, #b) },
-            }
-        }
-        Node::Constant(_) | Node::Input(_) | Node::Term(..) => {
-            unreachable!("not an operation")
-        }
-    }
-}
-
-/// [`operation`] without a floating-point exception at a zero divisor or a negative radicand.
-fn guarded(program: &Program, node: Node) -> TokenStream {
-    let of = |id: NodeId| operand(program, id);
-    let library = quote! { ::contact_elements::arithmetic };
-    match node {
-        Node::Divide(a, b) => {
-            let (a, b) = (of(a), of(b));
-            quote! { #a / #library::divisor(#b) }
-        }
-        Node::Unary(Unary::Sqrt, a) => {
-            let a = of(a);
-            quote! { #library::sqrt(#library::radicand(#a)) }
-        }
-        Node::Unary(Unary::Ln, a) => {
-            let a = of(a);
-            quote! { #library::ln(#library::divisor(#library::radicand(#a))) }
-        }
-        Node::Binary(Binary::Pow, a, b) => {
-            let whole = (program.graph.value(b)).is_some_and(|exponent| exponent.fract() == 0.0);
-            let (a, b) = (of(a), of(b));
-            let base = if whole {
-                a
-            } else {
-                quote! { #library::radicand(#a) }
-            };
-            quote! { #library::pow(#library::divisor(#base), #b) }
-        }
-        _ => operation(program, node),
-    }
-}
-
 fn infix(a: TokenStream, operator: TokenStream, b: TokenStream) -> TokenStream {
     quote! { #a #operator #b }
+}
+
+fn binary_name(function: Binary) -> Ident {
+    let name = match function {
+        Binary::Pow => "pow",
+        Binary::Atan2 => "atan2",
+    };
+    Ident::new(name, Span::call_site())
 }
 
 fn unary_name(function: Unary) -> &'static str {

@@ -18,7 +18,7 @@ use crate::diagnostics::{Mistakes, element as messages, names};
 use crate::syntax::{self, ElementItem, Word};
 
 /// The entries of an element, in the order of the documentation.
-const ENTRIES: [&str; 14] = [
+const ENTRIES: [&str; 15] = [
     "dimension",
     "slave",
     "master",
@@ -33,6 +33,7 @@ const ENTRIES: [&str; 14] = [
     "linearisation",
     "measure",
     "outputs",
+    "batch",
 ];
 
 /// The element an item describes; `None` after a mistake.
@@ -86,6 +87,7 @@ pub(super) fn element(
     };
     let angle = entries.angle(&others, mistakes);
     let residual_only = entries.outputs(linearisation.as_ref(), mistakes);
+    let lanes = entries.batch(pair, enforcement, mistakes);
     if mistakes.count() > before || !item.complete {
         return None;
     }
@@ -113,6 +115,7 @@ pub(super) fn element(
         linearisation: linearisation?.what,
         measure: measure?,
         residual_only: residual_only?,
+        lanes: lanes?,
     })
 }
 
@@ -378,6 +381,31 @@ impl<'a> Entries<'a> {
             mistakes.report(span, messages::measure_of_multiplier());
         }
         Some(measure)
+    }
+
+    /// Whether a batch is evaluated in lanes; `None` after a mistake.
+    fn batch(
+        &self,
+        pair: Option<(usize, &Slave, &Master)>,
+        enforcement: Option<Enforcement>,
+        mistakes: &mut Mistakes,
+    ) -> Option<bool> {
+        let choices = [("single", false), ("lanes", true)];
+        let (lanes, span) = self.choice("batch", choices, mistakes)?;
+        let is_plain = ["tangential", "rolling", "angle"]
+            .iter()
+            .all(|key| self.get(key).is_none());
+        let is_pair = pair.is_none_or(|(_, slave, master)| {
+            matches!(slave, Slave::Point | Slave::Projected(_))
+                && matches!(master, Master::Shape(_))
+        });
+        let is_penalty = enforcement.is_none_or(|own| own == Enforcement::Penalty);
+        if let (true, Some(span)) = (lanes, span)
+            && !(is_plain && is_pair && is_penalty)
+        {
+            mistakes.report(span, messages::no_lanes());
+        }
+        Some(lanes)
     }
 
     fn outputs(

@@ -236,6 +236,8 @@ pub struct Element {
     pub measure: Measure,
     /// Whether the tangent is left out.
     pub residual_only: bool,
+    /// Whether a batch is evaluated in lanes.
+    pub lanes: bool,
 }
 
 /// The side whose points are projected.

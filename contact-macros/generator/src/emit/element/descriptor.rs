@@ -36,7 +36,9 @@ impl Facts<'_> {
         let interpolated = matches!(self.element.slave, Slave::Interpolated);
         let kernel = self.kernel();
         let flags = self.vector_flags();
+        let (lanes, lanes_kernel) = self.lanes();
         quote! {
+            #lanes_kernel
             // a function, not a closure: a closure behind a pointer is compiled twice
             fn kernel(
                 call: &runtime::Call<'_>,
@@ -81,6 +83,7 @@ impl Facts<'_> {
                             periods: <#name as runtime::Element<#d, #p, #h>>::PERIODS,
                             extents: <#name as runtime::Element<#d, #p, #h>>::EXTENTS,
                             kernel,
+                            lanes: #lanes,
                         };
                     &DESCRIPTOR
                 };
@@ -110,6 +113,25 @@ impl Facts<'_> {
                 )
             }
         }
+    }
+
+    /// The kernel of a batch in lanes, and the function itself.
+    fn lanes(&self) -> (TokenStream, TokenStream) {
+        if !self.element.lanes {
+            return (quote! { None }, quote! {});
+        }
+        let name = &self.element.name;
+        let (d, p, h) = self.sizes();
+        let n = self.slave_nodes + self.master_nodes;
+        let vectors = self.vector_flags();
+        let function = quote! {
+            fn lanes(run: &mut ::contact_elements::abi::Run<'_>, width: runtime::Width) {
+                runtime::evaluate_batch::<#name, _, #d, #p, #h, #n>(
+                    run, width, &[#(#vectors),*],
+                )
+            }
+        };
+        (quote! { Some(lanes) }, function)
     }
 
     /// Operations of one evaluation of the point programs, the law included.

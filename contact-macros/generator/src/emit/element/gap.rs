@@ -27,12 +27,12 @@ impl Facts<'_> {
         let (distance, gap) = (d, d + 1);
         quote! {
             #[inline(always)]
-            fn gap(
-                vectors: &runtime::Vectors<#d, #p, #h>,
-                parameters: &[f64],
-                orientation: f64,
-            ) -> runtime::Gap<#d> {
-                let r0 = parameters.get(#r0).copied().unwrap_or(0.0);
+            fn gap<T: runtime::Real>(
+                vectors: &runtime::Vectors<#d, #p, #h, T>,
+                parameters: &[T],
+                orientation: T,
+            ) -> runtime::Gap<#d, T> {
+                let r0 = parameters.get(#r0).copied().unwrap_or(T::constant(0.0));
                 let o = gap(&[#(#inputs),*]);
                 runtime::Gap { n: [#(#normal),*], distance: o[#distance], gap: o[#gap] }
             }
@@ -71,7 +71,7 @@ impl Facts<'_> {
         let count = rigid.map_or(0, |geometry| geometry.parameters.len());
         let at = self.parameters.geometry();
         (at..at + count)
-            .map(|index| quote! { parameters.get(#index).copied().unwrap_or(0.0) })
+            .map(|index| quote! { parameters.get(#index).copied().unwrap_or(runtime::Real::constant(0.0)) })
             .collect()
     }
 }

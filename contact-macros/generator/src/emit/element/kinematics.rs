@@ -21,14 +21,14 @@ impl Facts<'_> {
                 let (m, nm) = (geometry_path(master), nodes(master));
                 quote! {
                     let weights = parameters.get(#master_weights..).unwrap_or(&[]);
-                    runtime::onto_shape::<#m, #d, #p, #h, #nm>(x, zeta, weights, rows)
+                    runtime::onto_shape::<#m, #d, #p, #h, #nm, T>(x, zeta, weights, rows)
                 }
             }
             (_, Master::Rigid { geometry, .. }) => {
                 let m = geometry_path(geometry);
                 quote! {
                     let own = parameters.get(#at..).unwrap_or(&[]);
-                    runtime::onto_rigid::<#m, #d, #p, #h>(x, zeta, own, rows)
+                    runtime::onto_rigid::<#m, #d, #p, #h, T>(x, zeta, own, rows)
                 }
             }
             (_, Master::Point) => quote! { runtime::onto_point(x, rows) },
@@ -41,12 +41,12 @@ impl Facts<'_> {
         };
         quote! {
             #[inline(always)]
-            fn kinematics(
-                x: &[[f64; #d]],
-                zeta: &[f64; #p],
-                parameters: &[f64],
-                rows: &mut runtime::Rows<'_, #p>,
-            ) -> runtime::Vectors<#d, #p, #h> {
+            fn kinematics<T: runtime::Real>(
+                x: &[[T; #d]],
+                zeta: &[T; #p],
+                parameters: &[T],
+                rows: &mut runtime::Rows<'_, #p, T>,
+            ) -> runtime::Vectors<#d, #p, #h, T> {
                 #body
             }
         }
@@ -63,7 +63,7 @@ impl Facts<'_> {
                 parameters.get(#slave_weights..).unwrap_or(&[]),
                 parameters.get(#master_weights..).unwrap_or(&[]),
             );
-            runtime::curve_to_curve::<#s, #m, #d, #ns, #nm>(x, zeta, weights, rows)
+            runtime::curve_to_curve::<#s, #m, #d, #ns, #nm, T>(x, zeta, weights, rows)
         }
     }
 
@@ -78,7 +78,7 @@ impl Facts<'_> {
                 parameters.get(#slave_weights..).unwrap_or(&[]),
                 parameters.get(#at..).unwrap_or(&[]),
             );
-            runtime::curve_to_rigid::<#s, #m, #d, #ns>(x, zeta, data, rows)
+            runtime::curve_to_rigid::<#s, #m, #d, #ns, T>(x, zeta, data, rows)
         }
     }
 

@@ -63,7 +63,7 @@ impl Facts<'_> {
         let body = match &self.element.slave {
             Slave::Point => quote! {
                 if let Some(s) = s.first_mut() {
-                    *s = 1.0;
+                    *s = T::constant(1.0);
                 }
             },
             Slave::Interpolated | Slave::Projected(_) => quote! {},
@@ -80,7 +80,7 @@ impl Facts<'_> {
         };
         quote! {
             #[inline(always)]
-            fn slave(point: usize, parameters: &[f64], s: &mut [f64]) {
+            fn slave<T: runtime::Real>(point: usize, parameters: &[T], s: &mut [T]) {
                 #body
             }
         }
@@ -102,9 +102,9 @@ impl Facts<'_> {
             },
             Rule::Gauss(_) if is_rational(geometry) => quote! {
                 let weights = parameters.get(#weights..).unwrap_or(&[]);
-                let row = POINTS.get(point).map(|eta| #shape(eta, weights).n);
+                let row = POINTS.get(point).map(|eta| #shape(&eta.map(T::constant), weights).n);
             },
-            Rule::Gauss(_) => quote! { let row = ROWS.get(point).copied(); },
+            Rule::Gauss(_) => quote! { let row = ROWS.get(point).map(|row| row.map(T::constant)); },
         }
     }
 }

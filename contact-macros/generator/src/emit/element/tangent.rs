@@ -39,13 +39,13 @@ impl Facts<'_> {
         };
         quote! {
             #[inline(always)]
-            fn tangent(
-                vectors: &runtime::Vectors<#d, #p, #h>,
-                gap: &runtime::Gap<#d>,
-                traction: &runtime::Traction,
-                parameters: &[f64],
-                orientation: f64,
-            ) -> runtime::Coefficients<#d, #p> {
+            fn tangent<T: runtime::Real>(
+                vectors: &runtime::Vectors<#d, #p, #h, T>,
+                gap: &runtime::Gap<#d, T>,
+                traction: &runtime::Traction<T>,
+                parameters: &[T],
+                orientation: T,
+            ) -> runtime::Coefficients<#d, #p, T> {
                 #body
             }
         }

@@ -1,0 +1,112 @@
+//! Many contacts of one element in lanes: gather, projection and gap of all, law and coefficients of the closed
+//! ones, then the outputs contact after contact.
+//!
+//! | file | question |
+//! |---|---|
+//! | `wide`, `x86`, `portable` | what is a lane |
+//! | `dispatch` | how many lanes has this processor |
+//! | `block` | where the values of some contacts stand |
+//! | `inputs` | what do the host's arrays hold |
+//! | `newton` | where is the projection |
+//! | `point` | open, outside, closed or to be evaluated alone; coefficients of the closed ones |
+//! | `outputs` | what reaches the receiver, in the order of the contacts |
+//!
+//! Each lane has the bits of the scalar evaluation: the same operations in the same order, none fused. What leaves
+//! the common path is evaluated alone, by the kernel of one contact.
+
+mod block;
+mod dispatch;
+mod inputs;
+mod newton;
+mod outputs;
+mod point;
+#[cfg(not(target_arch = "x86_64"))]
+mod portable;
+mod wide;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+pub use dispatch::{Width, evaluate_batch};
+
+use core::cell::Cell;
+
+use super::element::Element;
+use super::gather::Nodes;
+use super::receiver::{Receiver, Wanted};
+use super::values::Status;
+use block::{Block, ROOM, Records};
+use inputs::Form;
+pub(super) use wide::Wide;
+
+/// The contacts of a batch, as its kernel sees them.
+pub trait Contacts {
+    /// Takes the outputs of one contact.
+    type Receiver: Receiver;
+    /// How many.
+    fn count(&self) -> usize;
+    /// Wanted outputs of each.
+    fn wanted(&self) -> Wanted;
+    /// True where somebody asks for history or output of a point.
+    fn reports(&self) -> bool;
+    /// True where all contacts have the same parameters.
+    fn have_same_parameters(&self) -> bool;
+    /// Parameters of a contact; none where they are refused.
+    fn parameters(&self, contact: usize) -> Option<&[f64]>;
+    /// Accepted history of a contact.
+    fn history(&self, contact: usize) -> Option<&[Cell<f64>]>;
+    /// Nodes of a contact.
+    fn nodes(&self, contact: usize) -> Nodes<'_>;
+    /// All positions and how far one contact's are from the next, where those of a contact are one block and there
+    /// are no displacements.
+    fn blocks(&self) -> Option<(&[f64], usize)>;
+    /// Where the outputs of a contact go.
+    fn receiver(&self, contact: usize) -> Self::Receiver;
+    /// Evaluates a contact by the kernel of one.
+    fn evaluate_alone(&mut self, contact: usize);
+    /// Notes that a contact is done.
+    fn settle(&mut self, contact: usize, status: Status);
+}
+
+/// Evaluates all contacts in lanes of type T.
+#[inline(always)]
+fn evaluate<
+    E: Element<D, P, H>,
+    C: Contacts,
+    T: Wide,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+    const N: usize,
+>(
+    contacts: &mut C,
+    vectors: &[bool; N],
+) {
+    const {
+        assert!(
+            P > 0 && N * D <= block::MOST_UNKNOWNS && E::LAYOUT.count <= block::MOST_PARAMETERS
+        );
+        assert!(!E::KEEPS_SIDE);
+    };
+    let wanted = contacts.wanted();
+    let (centre, extents) = (E::centre(), core::array::from_fn::<f64, P, _>(E::extent));
+    let form = Form {
+        vectors,
+        centre: &centre,
+        extents: &extents,
+    };
+    let mut block = Block::<D, P, H, N>::new();
+    let mut records = Records::<N>::new();
+    let mut first = 0;
+    while first < contacts.count() {
+        let length = (contacts.count() - first).min(ROOM);
+        let place = (first, length);
+        block.good = inputs::gather::<C, D, N>(contacts, place, &form, &mut block.inputs());
+        (block.closed, block.inside) = (0, 0);
+        for group in (0..length).step_by(T::WIDTH) {
+            point::classify::<E, T, D, P, H, N>(&mut block, group, &wanted);
+        }
+        point::load::<E, T, D, P, H, N>(&mut block, &mut records, &wanted);
+        T::write::<C, D, P, N>(&block.points::<E>(), contacts, place, &records);
+        first += length;
+    }
+}

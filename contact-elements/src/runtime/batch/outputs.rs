@@ -1,0 +1,234 @@
+//! Outputs of a block, contact after contact: sums into shared arrays come out in the order of a single call.
+//!
+//! Rows of K by the rules of [`contract`](crate::runtime::contract), lanes across the unknowns of one contact.
+
+use super::Contacts;
+use super::block::{MOST_UNKNOWNS, Points, ROOM, Records, VECTORS};
+use super::wide::{Quad, Wide};
+use crate::runtime::enforcement::remembered;
+use crate::runtime::receiver::{Receiver, Report};
+use crate::runtime::rolling::Rolling;
+use crate::runtime::values::Status;
+
+/// Length of a row with room for whole lanes.
+const ROW: usize = MOST_UNKNOWNS + 8;
+
+/// Writes the outputs of all contacts of the block.
+#[inline(always)]
+pub(super) fn write<C: Contacts, T: Wide, const D: usize, const P: usize, const N: usize>(
+    points: &Points<'_>,
+    contacts: &mut C,
+    (first, length): (usize, usize),
+    records: &Records<N>,
+) {
+    let wanted = contacts.wanted();
+    let reports = contacts.reports();
+    let unknowns = N * D;
+    let mut rank = 0;
+    let mut scratch = Scratch::<D, P, N> {
+        u: [[0.0; ROW]; D],
+        g: [[0.0; ROW]; P],
+        matrix: [[[[0.0; D]; N]; D]; N],
+    };
+    for slot in 0..length {
+        let contact = first + slot;
+        let has = |bits: u32| bits >> slot & 1 != 0;
+        let own = rank;
+        rank += usize::from(has(points.closed));
+        if !has(points.good) {
+            contacts.evaluate_alone(contact);
+            continue;
+        }
+        let mut receiver = contacts.receiver(contact);
+        let mut status = Status::Outside;
+        let (mut energy, mut traction) = (0.0, 0.0);
+        if has(points.closed) {
+            status = Status::Closed;
+            traction = records.traction[own % ROOM];
+            energy = 1.0 * (records.energy[own % ROOM] + 0.0);
+            let vectors = &records.vectors[own % ROOM];
+            let nodes = &records.nodes[own % ROOM];
+            if wanted.residual {
+                residual::<_, D, N>(nodes, &vectors[0], traction, &mut receiver);
+            }
+            if wanted.tangent {
+                tangent::<_, T, D, P, N>(nodes, vectors, &mut scratch, &mut receiver);
+            }
+        } else {
+            receiver.open(unknowns);
+            if has(points.inside) {
+                status = Status::Open;
+            }
+        }
+        if reports {
+            receiver.report(0, &report(points, slot, status, traction));
+        }
+        receiver.energy(energy);
+        contacts.settle(contact, status);
+    }
+}
+
+/// u_k and g_j of [`contract`](crate::runtime::contract).
+struct Scratch<const D: usize, const P: usize, const N: usize> {
+    u: [[f64; ROW]; D],
+    g: [[f64; ROW]; P],
+    /// K, where it does not go to its place at once.
+    matrix: [[[[f64; D]; N]; D]; N],
+}
+
+/// Residual of a closed contact.
+#[inline(always)]
+fn residual<R: Receiver, const D: usize, const N: usize>(
+    nodes: &[[f64; 8]; N],
+    n: &[f64; 4],
+    traction: f64,
+    receiver: &mut R,
+) {
+    let mut forces = [[0.0; D]; N];
+    for (to, own) in forces.iter_mut().zip(nodes) {
+        for k in 0..D {
+            to[k] = own[0] * (traction * n[k]);
+        }
+    }
+    receiver.forces(forces.as_flattened(), D);
+}
+
+/// Tangent of a closed contact.
+#[inline(always)]
+fn tangent<R: Receiver, T: Wide, const D: usize, const P: usize, const N: usize>(
+    nodes: &[[f64; 8]; N],
+    vectors: &[[f64; 4]; VECTORS],
+    scratch: &mut Scratch<D, P, N>,
+    receiver: &mut R,
+) {
+    factors::<T::Quad, D, P, N>(nodes, vectors, scratch);
+    let n = core::array::from_fn(|k| vectors[0][k]);
+    let Scratch { u, g, matrix } = scratch;
+    let matrix = matrix
+        .as_flattened_mut()
+        .as_flattened_mut()
+        .as_flattened_mut();
+    let mut is_written = false;
+    let to = match receiver.rows() {
+        Some(to) => {
+            is_written = true;
+            to
+        }
+        None => &mut *matrix,
+    };
+    rows::<T, D, P, N>(nodes, &n, (u, g), to);
+    if !is_written {
+        for (unknown, row) in matrix.chunks_exact(N * D).enumerate() {
+            receiver.row(unknown, row, true);
+        }
+    }
+}
+
+/// u_k and g_j of [`contract`](crate::runtime::contract), node after node.
+#[inline(always)]
+fn factors<Q: Quad, const D: usize, const P: usize, const N: usize>(
+    nodes: &[[f64; 8]; N],
+    vectors: &[[f64; 4]; VECTORS],
+    scratch: &mut Scratch<D, P, N>,
+) {
+    let n = Q::new(vectors[0]);
+    let p: [Q; D] = core::array::from_fn(|k| Q::new(vectors[1 + k]));
+    let left: [Q; P] = core::array::from_fn(|j| Q::new(vectors[1 + D + j]));
+    for (b, own) in nodes.iter().enumerate() {
+        let s = Q::same(own[0]);
+        for k in 0..D {
+            let value = s * p[k] + Q::same(own[3 + k]) * n;
+            value.store(scratch.u[k].get_mut(b * D..).unwrap_or(&mut []));
+        }
+        for j in 0..P {
+            let value = s * left[j] + Q::same(own[6 + j]) * n;
+            value.store(scratch.g[j].get_mut(b * D..).unwrap_or(&mut []));
+        }
+    }
+}
+
+/// All rows, the three of a node at once, the last columns first: lanes beyond the end of a row fall on the
+/// beginning of the next, which is written later.
+#[inline(always)]
+fn rows<T: Wide, const D: usize, const P: usize, const N: usize>(
+    nodes: &[[f64; 8]; N],
+    n: &[f64; D],
+    (u, g): (&[[f64; ROW]; D], &[[f64; ROW]; P]),
+    to: &mut [f64],
+) {
+    let unknowns = N * D;
+    if to.len() != unknowns * unknowns || unknowns < T::WIDTH {
+        return;
+    }
+    let n = n.map(T::constant);
+    for (a, own) in nodes.iter().enumerate() {
+        let s = T::constant(own[0]);
+        let factors: [T; P] = core::array::from_fn(|j| T::constant(own[1 + j]));
+        for column in (0..unknowns).step_by(T::WIDTH).rev() {
+            let lanes = |row: &[f64; ROW]| T::load(row.get(column..).unwrap_or(&[]));
+            let mut h = factors[0] * lanes(&g[0]);
+            for j in 1..P {
+                h = h + factors[j] * lanes(&g[j]);
+            }
+            for k in 0..D {
+                let value = s * lanes(&u[k]) + n[k] * h;
+                let at = (a * D + k) * unknowns + column;
+                if a + 1 < N || k + 1 < D || column + T::WIDTH <= unknowns {
+                    debug_assert!(at + T::WIDTH <= to.len());
+                    // SAFETY: `to` has a row per unknown, each at least as long as the lanes; this is not the last
+                    // row, or the lanes end within it.
+                    unsafe { value.store_at(to.as_mut_ptr().add(at)) }
+                } else {
+                    put_some(value, to.get_mut(at..).unwrap_or(&mut []));
+                }
+            }
+        }
+    }
+}
+
+/// To the first places, as many as there are.
+#[inline(always)]
+fn put_some<T: Wide>(value: T, to: &mut [f64]) {
+    let mut values = [0.0; 8];
+    value.store(&mut values);
+    for (to, value) in to.iter_mut().zip(values) {
+        *to = value;
+    }
+}
+
+#[inline(never)]
+fn report(points: &Points<'_>, slot: usize, status: Status, traction: f64) -> Report {
+    let is_closed = status.is_closed();
+    let mut report = Report {
+        status,
+        feature: 0,
+        gap: points.gap.at(slot),
+        traction,
+        weight: if is_closed { 1.0 } else { 0.0 },
+        zeta: [0.0; 2],
+        normal: [0.0; 3],
+        iterations: points.iterations.at(slot) as u32,
+        tangential: [0.0; 2],
+        tangents: [[0.0; 3]; 2],
+        anchor: [0.0; 2],
+        path: 0.0,
+        multiplier: remembered(traction),
+        rolling: Rolling::default(),
+    };
+    let dimension = points.n.len().max(1);
+    for (to, b) in report.tangents.iter_mut().zip(points.b.chunks(dimension)) {
+        for (to, from) in to.iter_mut().zip(b) {
+            *to = from.at(slot);
+        }
+    }
+    for (to, from) in report.zeta.iter_mut().zip(points.zeta) {
+        *to = from.at(slot);
+    }
+    for (to, from) in report.normal.iter_mut().zip(points.n) {
+        *to = from.at(slot);
+    }
+    if status == Status::Outside {
+        report.feature = (points.feature)(report.zeta);
+    }
+    report
+}

@@ -1,0 +1,151 @@
+//! Several numbers side by side, one per contact.
+//!
+//! Every operation rounds lane by lane as that of f64 does, and none is fused, so that a lane holds the bits of
+//! the scalar evaluation.
+
+use core::ops::{Add, BitAnd, BitOr, Mul, Not};
+
+use super::Contacts;
+use super::block::{Points, Records};
+use crate::runtime::Real;
+use crate::runtime::lanes::Lanes;
+
+/// Four numbers side by side: the components of a vector.
+pub trait Quad: Copy + Add<Output = Self> + Mul<Output = Self> {
+    /// Four numbers.
+    fn new(values: [f64; 4]) -> Self;
+    /// The same number four times.
+    fn same(value: f64) -> Self;
+    /// To the first places; nothing where there are too few.
+    fn store(self, to: &mut [f64]);
+}
+
+/// Several numbers side by side.
+pub trait Wide: Real {
+    /// Four numbers by the same instructions.
+    type Quad: Quad;
+
+    /// [`outputs::write`](super::outputs::write), compiled for these lanes.
+    fn write<C: Contacts, const D: usize, const P: usize, const N: usize>(
+        points: &Points<'_>,
+        contacts: &mut C,
+        place: (usize, usize),
+        records: &Records<N>,
+    );
+
+    /// How many.
+    const WIDTH: usize;
+    /// A truth value per lane.
+    type Mask: Copy
+        + BitAnd<Output = Self::Mask>
+        + BitOr<Output = Self::Mask>
+        + Not<Output = Self::Mask>;
+
+    /// The first entries; zero where there are too few.
+    fn load(from: &[f64]) -> Self;
+    /// To the first places; nothing where there are too few.
+    fn store(self, to: &mut [f64]);
+    /// To `to`.
+    ///
+    /// # Safety
+    /// There is room for as many numbers as there are lanes.
+    unsafe fn store_at(self, to: *mut f64);
+    /// Four numbers of every contact to its record: records are `apart` numbers apart. Nothing where they end.
+    fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize);
+    /// self < other
+    fn below(self, other: Self) -> Self::Mask;
+    /// self ≤ other
+    fn at_most(self, other: Self) -> Self::Mask;
+    /// self = other
+    fn equals(self, other: Self) -> Self::Mask;
+    /// The larger one; `other` where they are equal or no numbers.
+    fn larger(self, other: Self) -> Self;
+    /// The smaller one; `other` where they are equal or no numbers.
+    fn smaller(self, other: Self) -> Self;
+    /// `yes` where the mask holds, else `no`.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// One bit per lane, the first lowest.
+    fn bits(mask: Self::Mask) -> u32;
+    /// A mask from bits.
+    fn mask(bits: u32) -> Self::Mask;
+
+    /// True where the value is finite.
+    #[inline(always)]
+    fn is_finite(self) -> Self::Mask {
+        self.abs().at_most(Self::constant(f64::MAX))
+    }
+
+    /// The bits of a mask that holds everywhere.
+    #[inline(always)]
+    fn all() -> u32 {
+        (1 << Self::WIDTH) - 1
+    }
+
+    /// The number of one lane everywhere.
+    #[inline(always)]
+    fn spread(self, lane: usize) -> Self {
+        let mut values = [0.0; 8];
+        self.store(&mut values);
+        Self::constant(values.get(lane).copied().unwrap_or(0.0))
+    }
+}
+
+/// Arithmetic of a lane type: its two operands, then what each operation is.
+macro_rules! operators {
+    ($lanes:ident, $a:ident, $b:ident, $add:expr, $subtract:expr, $multiply:expr, $divide:expr, $negate:expr) => {
+        operators!($lanes, $a, $b, Add, add, $add);
+        operators!($lanes, $a, $b, Sub, sub, $subtract);
+        operators!($lanes, $a, $b, Mul, mul, $multiply);
+        operators!($lanes, $a, $b, Div, div, $divide);
+        impl core::ops::Neg for $lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                let $a = self;
+                $negate
+            }
+        }
+    };
+    ($lanes:ident, $a:ident, $b:ident, $operation:ident, $name:ident, $value:expr) => {
+        impl core::ops::$operation for $lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, $b: Self) -> Self {
+                let $a = self;
+                $value
+            }
+        }
+    };
+}
+pub(super) use operators;
+
+impl Add for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.plus(other)
+    }
+}
+impl Mul for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.times(other)
+    }
+}
+impl Quad for Lanes {
+    #[inline(always)]
+    fn new(values: [f64; 4]) -> Self {
+        Lanes::new(values)
+    }
+    #[inline(always)]
+    fn same(value: f64) -> Self {
+        Lanes::splat(value)
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        if let Some(to) = to.first_chunk_mut() {
+            Lanes::store(self, to);
+        }
+    }
+}

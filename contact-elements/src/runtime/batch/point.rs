@@ -4,6 +4,7 @@ use super::block::{Block, Column, MOST_PARAMETERS, ROOM, Records};
 use super::newton::project;
 use super::wide::Wide;
 use crate::runtime::element::{Element, Layout};
+use crate::runtime::kernel::FARTHEST_PROJECTION;
 use crate::runtime::receiver::Wanted;
 use crate::runtime::shape::NormalLaw;
 use crate::runtime::values::{Coefficients, Gap, Rows, Vectors};
@@ -52,6 +53,17 @@ pub(super) fn classify<
     let mut x: [[T; D]; N] =
         core::array::from_fn(|a| core::array::from_fn(|k| load_lanes(&block.x[a][k], group)));
     let mut start: [T; P] = core::array::from_fn(|i| load_lanes(&block.zeta[i], group));
+    let mut possible = T::mask(good);
+    for i in 0..P {
+        let farthest = T::constant(FARTHEST_PROJECTION * E::extent(i));
+        let away = start[i] - T::constant(E::centre()[i]);
+        possible = possible & away.abs().at_most(farthest);
+    }
+    good = T::bits(possible);
+    if good == 0 {
+        block.good &= !(all << group);
+        return;
+    }
     if good != all {
         let repair = Repair::<T>::new(good);
         x = x.map(|node| node.map(|value| repair.apply(value)));
@@ -236,7 +248,10 @@ pub(super) fn load<
 fn pack<T: Wide, const K: usize>(columns: &[Column; K], slots: &[u8; 8]) -> [T; K] {
     let first = usize::from(slots[0]);
     let own = slots.iter().take(T::WIDTH);
-    if own.enumerate().all(|(lane, &slot)| usize::from(slot) == first + lane) {
+    if own
+        .enumerate()
+        .all(|(lane, &slot)| usize::from(slot) == first + lane)
+    {
         return core::array::from_fn(|i| load_lanes(&columns[i], first));
     }
     let mut packed = [[0.0; 8]; K];

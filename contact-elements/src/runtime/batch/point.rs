@@ -44,6 +44,8 @@ pub(super) fn classify<
     wanted: &Wanted,
 ) {
     let all = T::all();
+    // never larger: said so that the compiler asks for no bound further on
+    let group = group.min(ROOM - T::WIDTH);
     let mut good = block.good >> group & all;
     if good == 0 {
         return;
@@ -246,7 +248,7 @@ pub(super) fn load<
 /// The values of the contacts in some slots, side by side.
 #[inline(always)]
 fn pack<T: Wide, const K: usize>(columns: &[Column; K], slots: &[u8; 8]) -> [T; K] {
-    let first = usize::from(slots[0]);
+    let first = usize::from(slots[0]).min(ROOM - T::WIDTH);
     let own = slots.iter().take(T::WIDTH);
     if own
         .enumerate()
@@ -279,6 +281,7 @@ fn coefficients<
     slots: &[u8; 8],
     wanted: &Wanted,
 ) -> bool {
+    let rank = rank.min(ROOM - T::WIDTH);
     let zero = T::constant(0.0);
     let mut parameters = [zero; MOST_PARAMETERS];
     for (i, to) in parameters.iter_mut().enumerate().take(E::LAYOUT.count) {
@@ -323,7 +326,8 @@ fn coefficients<
     if T::bits(finite) != T::all() {
         return false;
     }
-    deal::<T, D, P, N>(records, rank, &gap.n, &c, (&s, &ds));
+    let tangent = wanted.tangent.then_some(&c);
+    deal::<T, D, P, N>(records, rank, &gap.n, tangent, (&s, &ds));
     true
 }
 
@@ -339,12 +343,18 @@ fn deal<T: Wide, const D: usize, const P: usize, const N: usize>(
     records: &mut Records<N>,
     rank: usize,
     n: &[T; D],
-    c: &Coefficients<D, P, T>,
+    tangent: Option<&Coefficients<D, P, T>>,
     (s, ds): (&[T; N], &[[T; N]; P]),
 ) {
     let zero = T::constant(0.0);
     let vector = |v: &[T; D]| core::array::from_fn(|k| if k < D { v[k] } else { zero });
     records.deal_vector(rank, 0, vector(n));
+    let Some(c) = tangent else {
+        for a in 0..N {
+            records.deal_node(rank, 2 * a, [s[a], zero, zero, zero]);
+        }
+        return;
+    };
     for k in 0..D {
         records.deal_vector(rank, 1 + k, vector(&c.p[k]));
     }

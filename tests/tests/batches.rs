@@ -422,7 +422,7 @@ fn differing(one: &Outputs, many: &Outputs) -> Option<(&'static str, usize, f64,
 }
 
 fn widths() -> impl Iterator<Item = Width> {
-    [Width::Two, Width::Four, Width::Eight]
+    [Width::One, Width::Four, Width::Eight]
         .into_iter()
         .filter(|&width| width <= Width::widest())
 }
@@ -437,7 +437,7 @@ fn check(element: &'static Descriptor) {
                 contacts.parameters[0] = 1234.5;
             }
             let rows = if form.scattered { contacts.csr() } else { 0 };
-            let one = evaluate(&contacts, form, rows, Width::Two, 1);
+            let one = evaluate(&contacts, form, rows, Width::One, 1);
             for width in widths() {
                 for length in [count, 37] {
                     let many = evaluate(&contacts, form, rows, width, length);

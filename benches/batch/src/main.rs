@@ -61,7 +61,7 @@ fn table(title: &str, states: &States, work: Work, peers: &[Peer]) {
         run: Box::new(move || alone.one_by_one(states, work)),
         times: vec![],
     });
-    for width in [Width::Two, Width::Four, Width::Eight] {
+    for width in [Width::One, Width::Four, Width::Eight] {
         if width > Width::widest() {
             continue;
         }

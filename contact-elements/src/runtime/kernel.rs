@@ -46,7 +46,7 @@ impl From<Failure> for InputError {
 const FARTHEST: f64 = 1e3;
 
 /// A projection is at most this many extents from the middle of a bounded domain: Newton's method gives up before.
-const FARTHEST_PROJECTION: f64 = 1e7;
+pub(super) const FARTHEST_PROJECTION: f64 = 1e7;
 
 /// Whether an anchor lies within [`FARTHEST`] extents of the middle of a bounded domain.
 #[inline(always)]
@@ -83,7 +83,7 @@ pub(crate) fn is_status(value: f64) -> bool {
 /// Finite numbers, a projection within [`FARTHEST_PROJECTION`] extents; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
 /// that is not negative; with rolling what [`is_remembered`] says; of edges what [`is_side`] says; a multiplier that is not positive.
 #[inline(always)]
-pub(super) fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     history: &[Cell<f64>],
 ) -> Result<(), InputError> {
     for (index, value) in history.iter().enumerate() {

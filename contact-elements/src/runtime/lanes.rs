@@ -22,7 +22,7 @@ mod avx2 {
 
     /// Four numbers.
     #[derive(Clone, Copy)]
-    pub struct Lanes(__m256d);
+    pub(in crate::runtime) struct Lanes(__m256d);
 
     // the module exists only where the whole crate is compiled for AVX2
     impl Lanes {
@@ -103,7 +103,7 @@ mod sse2 {
 
     /// Four numbers.
     #[derive(Clone, Copy)]
-    pub struct Lanes(__m128d, __m128d);
+    pub(in crate::runtime) struct Lanes(__m128d, __m128d);
 
     // every x86-64 has SSE2
     impl Lanes {
@@ -191,7 +191,7 @@ mod sse2 {
 mod portable {
     /// Four numbers.
     #[derive(Clone, Copy)]
-    pub struct Lanes([f64; 4]);
+    pub(in crate::runtime) struct Lanes([f64; 4]);
 
     impl Lanes {
         #[inline(always)]

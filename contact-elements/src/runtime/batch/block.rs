@@ -30,11 +30,11 @@ impl Column {
 }
 
 /// Inputs of a block of contacts.
-pub(super) struct Inputs<'a, const D: usize, const N: usize> {
+pub(super) struct Inputs<'a, const D: usize, const P: usize, const N: usize> {
     pub(super) x: &'a mut [[Column; D]; N],
     pub(super) parameters: &'a mut [Column],
     pub(super) frozen: &'a mut Column,
-    pub(super) zeta: &'a mut [Column],
+    pub(super) zeta: &'a mut [Column; P],
 }
 
 /// Most unknowns of an element that is evaluated in lanes.
@@ -161,7 +161,7 @@ impl<const D: usize, const P: usize, const H: usize, const N: usize> Block<D, P,
 
     /// What the gathering of the inputs fills.
     #[inline(always)]
-    pub(super) fn inputs(&mut self) -> Inputs<'_, D, N> {
+    pub(super) fn inputs(&mut self) -> Inputs<'_, D, P, N> {
         Inputs {
             x: &mut self.x,
             parameters: &mut self.parameters,

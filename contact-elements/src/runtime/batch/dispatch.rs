@@ -1,18 +1,18 @@
 //! How many lanes the processor has, asked once.
 
-use super::{Contacts, evaluate};
+use super::Contacts;
+#[cfg(target_arch = "x86_64")]
+use super::evaluate;
 use crate::runtime::element::Element;
 
-#[cfg(not(target_arch = "x86_64"))]
-use super::portable::Two;
 #[cfg(target_arch = "x86_64")]
-use super::x86::{Eight, Four, Two};
+use super::x86::{Eight, Four};
 
 /// Lanes of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Width {
-    /// Two: SSE2, or plain arithmetic.
-    Two,
+    /// One contact after the other: the kernel of one.
+    One,
     /// Four: AVX2.
     Four,
     /// Eight: AVX-512 with its instructions for double words.
@@ -26,7 +26,7 @@ impl Width {
         use core::sync::atomic::{AtomicU8, Ordering};
         static KNOWN: AtomicU8 = AtomicU8::new(0);
         match KNOWN.load(Ordering::Relaxed) {
-            1 => Width::Two,
+            1 => Width::One,
             2 => Width::Four,
             3 => Width::Eight,
             _ => {
@@ -40,7 +40,7 @@ impl Width {
     /// The widest of this processor.
     #[cfg(not(target_arch = "x86_64"))]
     pub fn widest() -> Self {
-        Width::Two
+        Width::One
     }
 }
 
@@ -63,11 +63,11 @@ fn asked() -> Width {
     // SAFETY: every x86-64 has CPUID; XGETBV only where OSXSAVE says so.
     unsafe {
         if __cpuid(0).eax < 7 || __cpuid(1).ecx & OSXSAVE_AND_AVX != OSXSAVE_AND_AVX {
-            return Width::Two;
+            return Width::One;
         }
         let (kept, more) = (kept_registers(), __cpuid_count(7, 0).ebx);
         if kept & 0b110 != 0b110 || more & AVX2 == 0 {
-            Width::Two
+            Width::One
         } else if kept & 0b1110_0110 != 0b1110_0110 || more & AVX512 != AVX512 {
             Width::Four
         } else {
@@ -89,18 +89,18 @@ pub fn evaluate_batch<
     width: Width,
     vectors: &[bool; N],
 ) {
-    #[cfg(target_arch = "x86_64")]
     match width.min(Width::widest()) {
-        Width::Two => evaluate::<E, C, Two, D, P, H, N>(contacts, vectors),
+        #[cfg(target_arch = "x86_64")]
         // SAFETY: the processor has AVX2.
         Width::Four => unsafe { four::<E, C, D, P, H, N>(contacts, vectors) },
+        #[cfg(target_arch = "x86_64")]
         // SAFETY: the processor has AVX-512.
         Width::Eight => unsafe { eight::<E, C, D, P, H, N>(contacts, vectors) },
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    {
-        let _ = width;
-        evaluate::<E, C, Two, D, P, H, N>(contacts, vectors);
+        _ => {
+            for contact in 0..contacts.count() {
+                contacts.evaluate_alone(contact);
+            }
+        }
     }
 }
 

@@ -1,44 +1,37 @@
 //! From the host's arrays to the columns of a block.
 
+use core::cell::Cell;
+
 use super::Contacts;
 use super::block::{Column, Inputs, ROOM};
-use crate::runtime::gather::{Nodes, are_usable, is_usable};
-use crate::runtime::kernel::can_be_projection;
-
-/// What the inputs of an element look like.
-pub(super) struct Form<'a> {
-    /// Which nodes are tangent vectors.
-    pub(super) vectors: &'a [bool],
-    /// Where the search begins without history.
-    pub(super) centre: &'a [f64],
-    pub(super) extents: &'a [f64],
-}
+use crate::runtime::gather::{Nodes, are_usable};
 
 /// Takes the inputs of `length` contacts; one bit for each whose inputs can be used.
 #[inline(never)]
-pub(super) fn gather<C: Contacts, const D: usize, const N: usize>(
+pub(super) fn gather<C: Contacts, const D: usize, const P: usize, const N: usize>(
     contacts: &C,
     (first, length): (usize, usize),
-    form: &Form<'_>,
-    inputs: &mut Inputs<'_, D, N>,
+    (vectors, centre): (&[bool; N], &[f64; P]),
+    inputs: &mut Inputs<'_, D, P, N>,
 ) -> u32 {
     let are_same = contacts.have_same_parameters();
-    let has_vectors = form.vectors.contains(&true);
-    let simple = if has_vectors { None } else { contacts.blocks() };
+    let blocks = if vectors.contains(&true) {
+        None
+    } else {
+        contacts.blocks()
+    };
     let mut good = 0;
     for slot in 0..length.min(ROOM) {
         let contact = first + slot;
-        if !start(contacts, contact, form, inputs, slot) {
+        if !start(contacts.history(contact), centre, inputs, slot) {
             continue;
         }
-        let are_usable = match simple {
+        let are_usable = match blocks {
             Some((values, apart)) => {
-                let block = values
-                    .get(contact * apart..)
-                    .and_then(|own| own.get(..N * D));
+                let block = values.get(contact * apart..);
                 block.is_some_and(|block| dense(block, inputs.x, slot))
             }
-            None => positions(&contacts.nodes(contact), form.vectors, inputs.x, slot),
+            None => positions(&contacts.nodes(contact), vectors, inputs.x, slot),
         };
         if are_usable && (are_same || own_parameters(contacts, contact, inputs, slot)) {
             good |= 1 << slot;
@@ -59,10 +52,10 @@ pub(super) fn gather<C: Contacts, const D: usize, const N: usize>(
 
 /// Takes the parameters of one contact; false where they are refused.
 #[inline(never)]
-fn own_parameters<C: Contacts, const D: usize, const N: usize>(
+fn own_parameters<C: Contacts, const D: usize, const P: usize, const N: usize>(
     contacts: &C,
     contact: usize,
-    inputs: &mut Inputs<'_, D, N>,
+    inputs: &mut Inputs<'_, D, P, N>,
     slot: usize,
 ) -> bool {
     let Some(parameters) = contacts.parameters(contact) else {
@@ -78,7 +71,7 @@ fn own_parameters<C: Contacts, const D: usize, const N: usize>(
 #[inline(never)]
 fn positions<const D: usize, const N: usize>(
     nodes: &Nodes<'_>,
-    vectors: &[bool],
+    vectors: &[bool; N],
     columns: &mut [[Column; D]; N],
     slot: usize,
 ) -> bool {
@@ -132,33 +125,32 @@ fn dense<const D: usize, const N: usize>(
     true
 }
 
-/// Start of the search; false where the history cannot be used.
+/// Status of the history and start of the search; false where they are no numbers. How far a start may be from the
+/// domain is asked in lanes.
 #[inline(always)]
-fn start<C: Contacts, const D: usize, const N: usize>(
-    contacts: &C,
-    contact: usize,
-    form: &Form<'_>,
-    inputs: &mut Inputs<'_, D, N>,
+fn start<const D: usize, const P: usize, const N: usize>(
+    history: Option<&[Cell<f64>]>,
+    centre: &[f64; P],
+    inputs: &mut Inputs<'_, D, P, N>,
     slot: usize,
 ) -> bool {
-    let columns = inputs
-        .zeta
-        .iter_mut()
-        .zip(form.centre.iter().zip(form.extents));
-    let Some(history) = contacts.history(contact) else {
-        for (column, (&centre, _)) in columns {
-            column.set(slot, centre);
+    let (mut status, mut start) = (0.0, *centre);
+    if let Some(history) = history {
+        let Some((own, projection)) = history.split_first() else {
+            return false;
+        };
+        let Some(projection) = projection.first_chunk::<P>() else {
+            return false;
+        };
+        status = own.get();
+        start = projection.each_ref().map(Cell::get);
+        if !(are_usable(&[status]) & are_usable(&start)) {
+            return false;
         }
-        return true;
-    };
-    let Some((status, projection)) = history.split_first() else {
-        return false;
-    };
-    let mut possible = is_usable(status.get());
-    for ((column, (&centre, &extent)), value) in columns.zip(projection) {
-        possible &= can_be_projection(value.get(), centre, extent);
-        column.set(slot, value.get());
     }
-    inputs.frozen.set(slot, status.get());
-    possible
+    inputs.frozen.set(slot, status);
+    for i in 0..P {
+        inputs.zeta[i].set(slot, start[i]);
+    }
+    true
 }

@@ -3,7 +3,7 @@
 //!
 //! | file | question |
 //! |---|---|
-//! | `wide`, `x86`, `portable` | what is a lane |
+//! | `wide`, `x86` | what is a lane |
 //! | `dispatch` | how many lanes has this processor |
 //! | `block` | where the values of some contacts stand |
 //! | `inputs` | what do the host's arrays hold |
@@ -20,8 +20,6 @@ mod inputs;
 mod newton;
 mod outputs;
 mod point;
-#[cfg(not(target_arch = "x86_64"))]
-mod portable;
 mod wide;
 #[cfg(target_arch = "x86_64")]
 mod x86;
@@ -35,7 +33,6 @@ use super::gather::Nodes;
 use super::receiver::{Receiver, Wanted};
 use super::values::Status;
 use block::{Block, ROOM, Records};
-use inputs::Form;
 pub(super) use wide::Wide;
 
 /// The contacts of a batch, as its kernel sees them.
@@ -88,19 +85,14 @@ fn evaluate<
         assert!(!E::KEEPS_SIDE);
     };
     let wanted = contacts.wanted();
-    let (centre, extents) = (E::centre(), core::array::from_fn::<f64, P, _>(E::extent));
-    let form = Form {
-        vectors,
-        centre: &centre,
-        extents: &extents,
-    };
+    let form = (vectors, &E::centre());
     let mut block = Block::<D, P, H, N>::new();
     let mut records = Records::<N>::new();
     let mut first = 0;
     while first < contacts.count() {
         let length = (contacts.count() - first).min(ROOM);
         let place = (first, length);
-        block.good = inputs::gather::<C, D, N>(contacts, place, &form, &mut block.inputs());
+        block.good = inputs::gather(contacts, place, form, &mut block.inputs());
         (block.closed, block.inside) = (0, 0);
         for group in (0..length).step_by(T::WIDTH) {
             point::classify::<E, T, D, P, H, N>(&mut block, group, &wanted);

@@ -4,6 +4,7 @@ use super::block::{Block, Column, MOST_PARAMETERS, ROOM, Records};
 use super::newton::project;
 use super::wide::Wide;
 use crate::runtime::element::{Element, Layout};
+use crate::runtime::kernel::FARTHEST_PROJECTION;
 use crate::runtime::receiver::Wanted;
 use crate::runtime::shape::NormalLaw;
 use crate::runtime::values::{Coefficients, Gap, Rows, Vectors};
@@ -43,6 +44,8 @@ pub(super) fn classify<
     wanted: &Wanted,
 ) {
     let all = T::all();
+    // never larger: said so that the compiler asks for no bound further on
+    let group = group.min(ROOM - T::WIDTH);
     let mut good = block.good >> group & all;
     if good == 0 {
         return;
@@ -52,6 +55,17 @@ pub(super) fn classify<
     let mut x: [[T; D]; N] =
         core::array::from_fn(|a| core::array::from_fn(|k| load_lanes(&block.x[a][k], group)));
     let mut start: [T; P] = core::array::from_fn(|i| load_lanes(&block.zeta[i], group));
+    let mut possible = T::mask(good);
+    for i in 0..P {
+        let farthest = T::constant(FARTHEST_PROJECTION * E::extent(i));
+        let away = start[i] - T::constant(E::centre()[i]);
+        possible = possible & away.abs().at_most(farthest);
+    }
+    good = T::bits(possible);
+    if good == 0 {
+        block.good &= !(all << group);
+        return;
+    }
     if good != all {
         let repair = Repair::<T>::new(good);
         x = x.map(|node| node.map(|value| repair.apply(value)));
@@ -234,7 +248,7 @@ pub(super) fn load<
 /// The values of the contacts in some slots, side by side.
 #[inline(always)]
 fn pack<T: Wide, const K: usize>(columns: &[Column; K], slots: &[u8; 8]) -> [T; K] {
-    let first = usize::from(slots[0]);
+    let first = usize::from(slots[0]).min(ROOM - T::WIDTH);
     let own = slots.iter().take(T::WIDTH);
     if own
         .enumerate()
@@ -267,6 +281,7 @@ fn coefficients<
     slots: &[u8; 8],
     wanted: &Wanted,
 ) -> bool {
+    let rank = rank.min(ROOM - T::WIDTH);
     let zero = T::constant(0.0);
     let mut parameters = [zero; MOST_PARAMETERS];
     for (i, to) in parameters.iter_mut().enumerate().take(E::LAYOUT.count) {
@@ -311,7 +326,8 @@ fn coefficients<
     if T::bits(finite) != T::all() {
         return false;
     }
-    deal::<T, D, P, N>(records, rank, &gap.n, &c, (&s, &ds));
+    let tangent = wanted.tangent.then_some(&c);
+    deal::<T, D, P, N>(records, rank, &gap.n, tangent, (&s, &ds));
     true
 }
 
@@ -327,12 +343,18 @@ fn deal<T: Wide, const D: usize, const P: usize, const N: usize>(
     records: &mut Records<N>,
     rank: usize,
     n: &[T; D],
-    c: &Coefficients<D, P, T>,
+    tangent: Option<&Coefficients<D, P, T>>,
     (s, ds): (&[T; N], &[[T; N]; P]),
 ) {
     let zero = T::constant(0.0);
     let vector = |v: &[T; D]| core::array::from_fn(|k| if k < D { v[k] } else { zero });
     records.deal_vector(rank, 0, vector(n));
+    let Some(c) = tangent else {
+        for a in 0..N {
+            records.deal_node(rank, 2 * a, [s[a], zero, zero, zero]);
+        }
+        return;
+    };
     for k in 0..D {
         records.deal_vector(rank, 1 + k, vector(&c.p[k]));
     }

@@ -8,7 +8,6 @@ use core::ops::{Add, BitAnd, BitOr, Mul, Not};
 use super::Contacts;
 use super::block::{Points, Records};
 use crate::runtime::Real;
-use crate::runtime::lanes::Lanes;
 
 /// Four numbers side by side: the components of a vector.
 pub trait Quad: Copy + Add<Output = Self> + Mul<Output = Self> {
@@ -118,34 +117,3 @@ macro_rules! operators {
     };
 }
 pub(super) use operators;
-
-impl Add for Lanes {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self.plus(other)
-    }
-}
-impl Mul for Lanes {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self.times(other)
-    }
-}
-impl Quad for Lanes {
-    #[inline(always)]
-    fn new(values: [f64; 4]) -> Self {
-        Lanes::new(values)
-    }
-    #[inline(always)]
-    fn same(value: f64) -> Self {
-        Lanes::splat(value)
-    }
-    #[inline(always)]
-    fn store(self, to: &mut [f64]) {
-        if let Some(to) = to.first_chunk_mut() {
-            Lanes::store(self, to);
-        }
-    }
-}

@@ -1,4 +1,4 @@
-//! Lanes of x86-64: two with SSE2, four with AVX2, eight with AVX-512.
+//! Lanes of x86-64: four with AVX2, eight with AVX-512.
 //!
 //! A value of a type exists only in a kernel that [`dispatch`](super::dispatch) chose for a processor with these
 //! instructions: that is the reason of every `unsafe` here.
@@ -11,239 +11,162 @@ use super::block::{Points, Records};
 use super::outputs::write;
 use super::wide::{Quad, Wide, operators};
 use crate::runtime::Real;
-use crate::runtime::lanes::Lanes;
 
-/// A lane type of a register, with its mask in the same register.
-macro_rules! register {
-    ($lanes:ident, $mask:ident, $register:ty, $width:literal, $quad:ty, $features:literal, $docs:literal,
-     $set:ident, $load:ident, $store:ident, $add:ident, $subtract:ident, $multiply:ident, $divide:ident,
-     $sqrt:ident, $and:ident, $and_not:ident, $or:ident, $xor:ident, $max:ident, $min:ident,
-     $bits:ident, $deal:path, $select:path, $below:path, $at_most:path, $equals:path) => {
-        #[doc = $docs]
-        #[derive(Clone, Copy)]
-        pub struct $lanes($register);
+/// Four numbers: AVX2.
+#[derive(Clone, Copy)]
+pub struct Four(__m256d);
 
-        /// Its truth values.
-        #[derive(Clone, Copy)]
-        pub struct $mask($register);
+/// Its truth values.
+#[derive(Clone, Copy)]
+pub struct FourMask(__m256d);
 
-        // SAFETY of all blocks: see the head of the file.
-        operators!(
-            $lanes,
-            a,
-            b,
-            $lanes(unsafe { $add(a.0, b.0) }),
-            $lanes(unsafe { $subtract(a.0, b.0) }),
-            $lanes(unsafe { $multiply(a.0, b.0) }),
-            $lanes(unsafe { $divide(a.0, b.0) }),
-            $lanes(unsafe { $xor(a.0, $set(-0.0)) })
-        );
-
-        impl Real for $lanes {
-            #[inline(always)]
-            fn constant(value: f64) -> Self {
-                Self(unsafe { $set(value) })
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                Self(unsafe { $sqrt(self.0) })
-            }
-            #[inline(always)]
-            fn abs(self) -> Self {
-                Self(unsafe { $and_not($set(-0.0), self.0) })
-            }
-            #[inline(always)]
-            fn map(self, function: impl Fn(f64) -> f64) -> Self {
-                let mut values = [0.0; $width];
-                Wide::store(self, &mut values);
-                Self::load(&values.map(function))
-            }
-            #[inline(always)]
-            fn map_two(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
-                let (mut first, mut second) = ([0.0; $width], [0.0; $width]);
-                Wide::store(self, &mut first);
-                Wide::store(other, &mut second);
-                for (a, b) in first.iter_mut().zip(second) {
-                    *a = function(*a, b);
-                }
-                Self::load(&first)
-            }
-        }
-
-        impl Wide for $lanes {
-            const WIDTH: usize = $width;
-            type Mask = $mask;
-            type Quad = $quad;
-
-            #[inline(always)]
-            fn write<C: Contacts, const D: usize, const P: usize, const N: usize>(
-                points: &Points<'_>,
-                contacts: &mut C,
-                place: (usize, usize),
-                records: &Records<N>,
-            ) {
-                #[target_feature(enable = $features)]
-                #[inline(never)]
-                fn compiled<C: Contacts, const D: usize, const P: usize, const N: usize>(
-                    points: &Points<'_>,
-                    contacts: &mut C,
-                    place: (usize, usize),
-                    records: &Records<N>,
-                ) {
-                    write::<C, $lanes, D, P, N>(points, contacts, place, records);
-                }
-                unsafe { compiled::<C, D, P, N>(points, contacts, place, records) }
-            }
-
-            #[inline(always)]
-            fn load(from: &[f64]) -> Self {
-                match from.first_chunk::<$width>() {
-                    Some(from) => Self(unsafe { $load(from.as_ptr()) }),
-                    None => Self::constant(0.0),
-                }
-            }
-            #[inline(always)]
-            fn store(self, to: &mut [f64]) {
-                if let Some(to) = to.first_chunk_mut::<$width>() {
-                    unsafe { $store(to.as_mut_ptr(), self.0) }
-                }
-            }
-            #[inline(always)]
-            unsafe fn store_at(self, to: *mut f64) {
-                unsafe { $store(to, self.0) }
-            }
-            #[inline(always)]
-            fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize) {
-                $deal(quadruple.map(|lanes| lanes.0), to, apart);
-            }
-            #[inline(always)]
-            fn below(self, other: Self) -> $mask {
-                $mask(unsafe { $below(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn at_most(self, other: Self) -> $mask {
-                $mask(unsafe { $at_most(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn equals(self, other: Self) -> $mask {
-                $mask(unsafe { $equals(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn larger(self, other: Self) -> Self {
-                Self(unsafe { $max(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn smaller(self, other: Self) -> Self {
-                Self(unsafe { $min(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn select(mask: $mask, yes: Self, no: Self) -> Self {
-                Self(unsafe { $select(mask.0, yes.0, no.0) })
-            }
-            #[inline(always)]
-            fn bits(mask: $mask) -> u32 {
-                (unsafe { $bits(mask.0) }) as u32
-            }
-            #[inline(always)]
-            fn mask(bits: u32) -> $mask {
-                let mut values = [0.0; $width];
-                for (lane, value) in values.iter_mut().enumerate() {
-                    *value = f64::from_bits(u64::from(bits >> lane & 1).wrapping_neg());
-                }
-                $mask(unsafe { $load(values.as_ptr()) })
-            }
-        }
-
-        impl BitAnd for $mask {
-            type Output = Self;
-            #[inline(always)]
-            fn bitand(self, other: Self) -> Self {
-                Self(unsafe { $and(self.0, other.0) })
-            }
-        }
-        impl BitOr for $mask {
-            type Output = Self;
-            #[inline(always)]
-            fn bitor(self, other: Self) -> Self {
-                Self(unsafe { $or(self.0, other.0) })
-            }
-        }
-        impl Not for $mask {
-            type Output = Self;
-            #[inline(always)]
-            fn not(self) -> Self {
-                Self(unsafe { $xor(self.0, $set(f64::from_bits(u64::MAX))) })
-            }
-        }
-    };
-}
-
-register!(
-    Two,
-    TwoMask,
-    __m128d,
-    2,
-    Lanes,
-    "sse2",
-    "Two numbers: every x86-64.",
-    _mm_set1_pd,
-    _mm_loadu_pd,
-    _mm_storeu_pd,
-    _mm_add_pd,
-    _mm_sub_pd,
-    _mm_mul_pd,
-    _mm_div_pd,
-    _mm_sqrt_pd,
-    _mm_and_pd,
-    _mm_andnot_pd,
-    _mm_or_pd,
-    _mm_xor_pd,
-    _mm_max_pd,
-    _mm_min_pd,
-    _mm_movemask_pd,
-    deal_two,
-    select_of_two,
-    _mm_cmplt_pd,
-    _mm_cmple_pd,
-    _mm_cmpeq_pd
+operators!(
+    Four,
+    a,
+    b,
+    Four(unsafe { _mm256_add_pd(a.0, b.0) }),
+    Four(unsafe { _mm256_sub_pd(a.0, b.0) }),
+    Four(unsafe { _mm256_mul_pd(a.0, b.0) }),
+    Four(unsafe { _mm256_div_pd(a.0, b.0) }),
+    Four(unsafe { _mm256_xor_pd(a.0, _mm256_set1_pd(-0.0)) })
 );
 
-/// # Safety
-/// SSE2 belongs to every x86-64.
-#[inline(always)]
-unsafe fn select_of_two(mask: __m128d, yes: __m128d, no: __m128d) -> __m128d {
-    unsafe { _mm_or_pd(_mm_and_pd(mask, yes), _mm_andnot_pd(mask, no)) }
+impl Real for Four {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        Self(unsafe { _mm256_set1_pd(value) })
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(unsafe { _mm256_sqrt_pd(self.0) })
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0) })
+    }
+    #[inline(always)]
+    fn map(self, function: impl Fn(f64) -> f64) -> Self {
+        let mut values = [0.0; 4];
+        Wide::store(self, &mut values);
+        Self::load(&values.map(function))
+    }
+    #[inline(always)]
+    fn map_two(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
+        let (mut first, mut second) = ([0.0; 4], [0.0; 4]);
+        Wide::store(self, &mut first);
+        Wide::store(other, &mut second);
+        for (a, b) in first.iter_mut().zip(second) {
+            *a = function(*a, b);
+        }
+        Self::load(&first)
+    }
 }
 
-register!(
-    Four,
-    FourMask,
-    __m256d,
-    4,
-    Four,
-    "avx2",
-    "Four numbers: AVX2.",
-    _mm256_set1_pd,
-    _mm256_loadu_pd,
-    _mm256_storeu_pd,
-    _mm256_add_pd,
-    _mm256_sub_pd,
-    _mm256_mul_pd,
-    _mm256_div_pd,
-    _mm256_sqrt_pd,
-    _mm256_and_pd,
-    _mm256_andnot_pd,
-    _mm256_or_pd,
-    _mm256_xor_pd,
-    _mm256_max_pd,
-    _mm256_min_pd,
-    _mm256_movemask_pd,
-    deal_four,
-    select_of_four,
-    compare_four::<_CMP_LT_OQ>,
-    compare_four::<_CMP_LE_OQ>,
-    compare_four::<_CMP_EQ_OQ>
-);
+impl Wide for Four {
+    const WIDTH: usize = 4;
+    type Mask = FourMask;
+    type Quad = Four;
+
+    #[inline(always)]
+    fn write<C: Contacts, const D: usize, const P: usize, const N: usize>(
+        points: &Points<'_>,
+        contacts: &mut C,
+        place: (usize, usize),
+        records: &Records<N>,
+    ) {
+        #[target_feature(enable = "avx2")]
+        #[inline(never)]
+        fn compiled<C: Contacts, const D: usize, const P: usize, const N: usize>(
+            points: &Points<'_>,
+            contacts: &mut C,
+            place: (usize, usize),
+            records: &Records<N>,
+        ) {
+            write::<C, Four, D, P, N>(points, contacts, place, records);
+        }
+        unsafe { compiled::<C, D, P, N>(points, contacts, place, records) }
+    }
+
+    #[inline(always)]
+    fn load(from: &[f64]) -> Self {
+        match from.first_chunk::<4>() {
+            Some(from) => Self(unsafe { _mm256_loadu_pd(from.as_ptr()) }),
+            None => Self::constant(0.0),
+        }
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        if let Some(to) = to.first_chunk_mut::<4>() {
+            unsafe { _mm256_storeu_pd(to.as_mut_ptr(), self.0) }
+        }
+    }
+    #[inline(always)]
+    unsafe fn store_at(self, to: *mut f64) {
+        unsafe { _mm256_storeu_pd(to, self.0) }
+    }
+    #[inline(always)]
+    fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize) {
+        deal_four(quadruple.map(|lanes| lanes.0), to, apart);
+    }
+    #[inline(always)]
+    fn below(self, other: Self) -> FourMask {
+        FourMask(unsafe { compare_four::<_CMP_LT_OQ>(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn at_most(self, other: Self) -> FourMask {
+        FourMask(unsafe { compare_four::<_CMP_LE_OQ>(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn equals(self, other: Self) -> FourMask {
+        FourMask(unsafe { compare_four::<_CMP_EQ_OQ>(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self(unsafe { _mm256_max_pd(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        Self(unsafe { _mm256_min_pd(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn select(mask: FourMask, yes: Self, no: Self) -> Self {
+        Self(unsafe { select_of_four(mask.0, yes.0, no.0) })
+    }
+    #[inline(always)]
+    fn bits(mask: FourMask) -> u32 {
+        (unsafe { _mm256_movemask_pd(mask.0) }) as u32
+    }
+    #[inline(always)]
+    fn mask(bits: u32) -> FourMask {
+        let mut values = [0.0; 4];
+        for (lane, value) in values.iter_mut().enumerate() {
+            *value = f64::from_bits(u64::from(bits >> lane & 1).wrapping_neg());
+        }
+        FourMask(unsafe { _mm256_loadu_pd(values.as_ptr()) })
+    }
+}
+
+impl BitAnd for FourMask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(unsafe { _mm256_and_pd(self.0, other.0) })
+    }
+}
+impl BitOr for FourMask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(unsafe { _mm256_or_pd(self.0, other.0) })
+    }
+}
+impl Not for FourMask {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(unsafe { _mm256_xor_pd(self.0, _mm256_set1_pd(f64::from_bits(u64::MAX))) })
+    }
+}
 
 /// # Safety
 /// AVX2 is there.
@@ -257,22 +180,6 @@ unsafe fn select_of_four(mask: __m256d, yes: __m256d, no: __m256d) -> __m256d {
 #[inline(always)]
 unsafe fn compare_four<const HOW: i32>(a: __m256d, b: __m256d) -> __m256d {
     unsafe { _mm256_cmp_pd::<HOW>(a, b) }
-}
-
-/// Four numbers of two contacts to their records.
-#[inline(always)]
-fn deal_two([a, b, c, d]: [__m128d; 4], to: &mut [f64], apart: usize) {
-    if to.len() < apart + 4 {
-        return;
-    }
-    let to = to.as_mut_ptr();
-    // SAFETY: every x86-64 has SSE2; the records reach so far.
-    unsafe {
-        _mm_storeu_pd(to, _mm_unpacklo_pd(a, b));
-        _mm_storeu_pd(to.add(2), _mm_unpacklo_pd(c, d));
-        _mm_storeu_pd(to.add(apart), _mm_unpackhi_pd(a, b));
-        _mm_storeu_pd(to.add(apart + 2), _mm_unpackhi_pd(c, d));
-    }
 }
 
 /// Four numbers of four contacts to their records.

@@ -223,7 +223,7 @@ pub fn gap_not_oriented() -> Diagnostic {
 pub fn no_lanes() -> Diagnostic {
     Diagnostic::new(
         "this element has no batch in lanes: they are for points and curves against a shape, by a penalty, \
-         without friction, rolling or angle",
+         without friction, rolling, angle or signed gap of two curves",
         "leave `batch` out: its contacts are evaluated one after the other",
     )
 }

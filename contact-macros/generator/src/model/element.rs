@@ -87,7 +87,7 @@ pub(super) fn element(
     };
     let angle = entries.angle(&others, mistakes);
     let residual_only = entries.outputs(linearisation.as_ref(), mistakes);
-    let lanes = entries.batch(pair, enforcement, mistakes);
+    let lanes = entries.batch(pair, (gap, enforcement), mistakes);
     if mistakes.count() > before || !item.complete {
         return None;
     }
@@ -387,7 +387,7 @@ impl<'a> Entries<'a> {
     fn batch(
         &self,
         pair: Option<(usize, &Slave, &Master)>,
-        enforcement: Option<Enforcement>,
+        (gap, enforcement): (Option<Gap>, Option<Enforcement>),
         mistakes: &mut Mistakes,
     ) -> Option<bool> {
         let choices = [("single", false), ("lanes", true)];
@@ -396,8 +396,11 @@ impl<'a> Entries<'a> {
             .iter()
             .all(|key| self.get(key).is_none());
         let is_pair = pair.is_none_or(|(_, slave, master)| {
+            // edges take their side from the history
+            let is_edge = matches!(slave, Slave::Projected(_)) && gap == Some(Gap::Signed);
             matches!(slave, Slave::Point | Slave::Projected(_))
                 && matches!(master, Master::Shape(_))
+                && !is_edge
         });
         let is_penalty = enforcement.is_none_or(|own| own == Enforcement::Penalty);
         if let (true, Some(span)) = (lanes, span)

@@ -68,12 +68,7 @@ impl Emitted {
         )
     }
 
-    fn function_with(
-        &self,
-        indices: &[usize],
-        style: Style,
-        inline: &TokenStream,
-    ) -> TokenStream {
+    fn function_with(&self, indices: &[usize], style: Style, inline: &TokenStream) -> TokenStream {
         let name = &self.function;
         let inputs = self.program.inputs.len();
         let outputs = indices.len();
@@ -88,7 +83,10 @@ impl Emitted {
             .iter()
             .map(|&index| style.operand(&self.program, self.program.outputs[index].1));
         let (generics, number) = match style {
-            Style::Generic => (quote! { <T: ::contact_elements::runtime::Real> }, quote! { T }),
+            Style::Generic => (
+                quote! { <T: ::contact_elements::runtime::Real> },
+                quote! { T },
+            ),
             Style::Guarded => (quote! {}, quote! { f64 }),
         };
         quote! {
@@ -260,7 +258,8 @@ impl Style {
                 quote! { #library::#name(#a) }
             }
             Node::Binary(Binary::Pow, a, b) => {
-                let whole = (program.graph.value(b)).is_some_and(|exponent| exponent.fract() == 0.0);
+                let whole =
+                    (program.graph.value(b)).is_some_and(|exponent| exponent.fract() == 0.0);
                 let (a, b) = (of(a), of(b));
                 let base = if whole {
                     a

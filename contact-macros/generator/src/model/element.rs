@@ -396,7 +396,8 @@ impl<'a> Entries<'a> {
             .iter()
             .all(|key| self.get(key).is_none());
         let is_pair = pair.is_none_or(|(_, slave, master)| {
-            matches!(slave, Slave::Point | Slave::Projected(_)) && matches!(master, Master::Shape(_))
+            matches!(slave, Slave::Point | Slave::Projected(_))
+                && matches!(master, Master::Shape(_))
         });
         let is_penalty = enforcement.is_none_or(|own| own == Enforcement::Penalty);
         if let (true, Some(span)) = (lanes, span)

@@ -92,6 +92,11 @@ pub fn evaluate_batch<
     match width.min(Width::widest()) {
         #[cfg(target_arch = "x86_64")]
         // SAFETY: the processor has AVX2.
+        Width::Four | Width::Eight if N * D < 8 => unsafe {
+            four::<E, C, D, P, H, N>(contacts, vectors)
+        },
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: the processor has AVX2.
         Width::Four => unsafe { four::<E, C, D, P, H, N>(contacts, vectors) },
         #[cfg(target_arch = "x86_64")]
         // SAFETY: the processor has AVX-512.

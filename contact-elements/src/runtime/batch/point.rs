@@ -29,6 +29,51 @@ fn orientation<T: Wide>(layout: &Layout, parameters: &[T]) -> T {
     }
 }
 
+/// Inputs of the lanes.
+struct Start<T: Wide, const D: usize, const P: usize, const N: usize> {
+    x: [[T; D]; N],
+    zeta: [T; P],
+    parameters: [T; MOST_PARAMETERS],
+    /// One bit per lane that can be evaluated.
+    good: u32,
+}
+
+/// Inputs of the lanes from `group` on; a lane that cannot be evaluated takes those of one that can.
+#[inline(always)]
+fn start<
+    E: Element<D, P, H>,
+    T: Wide,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+    const N: usize,
+>(
+    block: &Block<D, P, H, N>,
+    group: usize,
+) -> Start<T, D, P, N> {
+    let lanes = |column: &Column| load_lanes::<T>(column, group);
+    let mut start = Start {
+        x: block.x.each_ref().map(|node| node.each_ref().map(lanes)),
+        zeta: block.zeta.each_ref().map(lanes),
+        parameters: block.parameters.each_ref().map(lanes),
+        good: block.good >> group & T::all(),
+    };
+    let mut possible = T::mask(start.good);
+    for i in 0..P {
+        let farthest = T::constant(FARTHEST_PROJECTION * E::extent(i));
+        let away = start.zeta[i] - T::constant(E::centre()[i]);
+        possible = possible & away.abs().at_most(farthest);
+    }
+    start.good = T::bits(possible);
+    if start.good != 0 && start.good != T::all() {
+        let repair = Repair::<T>::new(start.good);
+        start.x = start.x.map(|node| node.map(|value| repair.apply(value)));
+        start.zeta = start.zeta.map(|value| repair.apply(value));
+        start.parameters = start.parameters.map(|value| repair.apply(value));
+    }
+    start
+}
+
 /// First pass over the lanes from `group` on: projection, gap, open or closed.
 #[inline(always)]
 pub(super) fn classify<
@@ -43,44 +88,28 @@ pub(super) fn classify<
     group: usize,
     wanted: &Wanted,
 ) {
-    let all = T::all();
     // never larger: said so that the compiler asks for no bound further on
     let group = group.min(ROOM - T::WIDTH);
-    let mut good = block.good >> group & all;
+    let own = T::all() << group;
+    let Start {
+        x,
+        zeta,
+        parameters,
+        mut good,
+    } = start::<E, T, D, P, H, N>(block, group);
+    block.good &= !own;
     if good == 0 {
         return;
-    }
-    let parameters: [T; MOST_PARAMETERS] =
-        core::array::from_fn(|i| load_lanes(&block.parameters[i], group));
-    let mut x: [[T; D]; N] =
-        core::array::from_fn(|a| core::array::from_fn(|k| load_lanes(&block.x[a][k], group)));
-    let mut start: [T; P] = core::array::from_fn(|i| load_lanes(&block.zeta[i], group));
-    let mut possible = T::mask(good);
-    for i in 0..P {
-        let farthest = T::constant(FARTHEST_PROJECTION * E::extent(i));
-        let away = start[i] - T::constant(E::centre()[i]);
-        possible = possible & away.abs().at_most(farthest);
-    }
-    good = T::bits(possible);
-    if good == 0 {
-        block.good &= !(all << group);
-        return;
-    }
-    if good != all {
-        let repair = Repair::<T>::new(good);
-        x = x.map(|node| node.map(|value| repair.apply(value)));
-        start = start.map(|value| repair.apply(value));
     }
     let zero = T::constant(0.0);
-    let mut s = [zero; N];
-    let mut ds = [[zero; N]; P];
+    let (mut s, mut ds) = ([zero; N], [[zero; N]; P]);
     let mut rows = Rows {
         s: &mut s[..],
         ds: ds.each_mut().map(|row| row.as_mut_slice()),
     };
     E::slave(0, &parameters, rows.s);
     let (given, mask) = (wanted.projection_given, T::mask(good));
-    let found = project::<E, T, D, P, H>(&x, start, given, &parameters, &mut rows, mask);
+    let found = project::<E, T, D, P, H>(&x, zeta, given, &parameters, &mut rows, mask);
     let mut vectors = found.vectors;
     let mut still = found.good;
     if !E::SIGNED {
@@ -88,43 +117,67 @@ pub(super) fn classify<
     }
     good &= T::bits(still);
     if good == 0 {
-        block.good &= !(all << group);
         return;
     }
-    if good != all {
+    if good != T::all() {
         // a lane that is given up must not divide by zero further on
         let repair = Repair::<T>::new(good);
         vectors.r = vectors.r.map(|value| repair.apply(value));
         vectors.b = vectors.b.map(|b| b.map(|value| repair.apply(value)));
     }
     let gap = E::gap(&vectors, &parameters, orientation(&E::LAYOUT, &parameters));
-    let mut finite = gap.gap.is_finite();
-    for k in 0..D {
-        finite = finite & gap.n[k].is_finite();
-    }
-    good &= T::bits(finite);
-    let inside = T::bits(contains::<E, T, D, P, H>(&found.zeta));
+    good &= T::bits(
+        gap.n
+            .iter()
+            .fold(gap.gap.is_finite(), |all, n| all & n.is_finite()),
+    );
+    let inside = T::bits(contains::<E, T, D, P, H>(&found.zeta)) & good;
     let acts = if wanted.freeze {
-        let status: T = load_lanes(&block.frozen, group);
-        T::constant(1.0).at_most(status) & status.at_most(T::constant(3.0))
+        is_load::<T>(load_lanes(&block.frozen, group))
     } else {
         zero.below(E::Law::active(gap.gap, &parameters))
     };
-    let closed = T::bits(acts) & inside & good;
-    block.good = block.good & !(all << group) | good << group;
-    block.inside |= (inside & good) << group;
+    let closed = T::bits(acts) & inside;
+    block.good |= good << group;
+    block.inside |= inside << group;
     block.closed |= closed << group;
-    for i in 0..P {
-        store_lanes(found.zeta[i], &mut block.zeta[i], group);
-    }
-    store_lanes(found.iterations, &mut block.iterations, group);
+    store_projection(block, group, &found.zeta, found.iterations);
     store_point(block, group, &vectors, &gap);
     if closed != 0 {
-        for a in 0..N {
-            store_lanes(s[a], &mut block.s[a], group);
-            for i in 0..P {
-                store_lanes(ds[i][a], &mut block.ds[i][a], group);
-            }
+        store_rows(block, group, &s, &ds);
+    }
+}
+
+/// Closed, stick or slip.
+#[inline(always)]
+fn is_load<T: Wide>(status: T) -> T::Mask {
+    T::constant(1.0).at_most(status) & status.at_most(T::constant(3.0))
+}
+
+#[inline(always)]
+fn store_projection<T: Wide, const D: usize, const P: usize, const H: usize, const N: usize>(
+    block: &mut Block<D, P, H, N>,
+    group: usize,
+    zeta: &[T; P],
+    iterations: T,
+) {
+    for i in 0..P {
+        store_lanes(zeta[i], &mut block.zeta[i], group);
+    }
+    store_lanes(iterations, &mut block.iterations, group);
+}
+
+#[inline(always)]
+fn store_rows<T: Wide, const D: usize, const P: usize, const H: usize, const N: usize>(
+    block: &mut Block<D, P, H, N>,
+    group: usize,
+    s: &[T; N],
+    ds: &[[T; N]; P],
+) {
+    for a in 0..N {
+        store_lanes(s[a], &mut block.s[a], group);
+        for i in 0..P {
+            store_lanes(ds[i][a], &mut block.ds[i][a], group);
         }
     }
 }

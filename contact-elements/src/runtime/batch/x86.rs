@@ -12,6 +12,14 @@ use super::outputs::write;
 use super::wide::{Quad, Wide, operators};
 use crate::runtime::Real;
 
+/// An expression of intrinsics.
+macro_rules! lanes {
+    ($intrinsics:expr) => {
+        // SAFETY: the kernel was chosen for a processor with these instructions, see the head of the file.
+        unsafe { $intrinsics }
+    };
+}
+
 /// Four numbers: AVX2.
 #[derive(Clone, Copy)]
 pub struct Four(__m256d);
@@ -24,25 +32,25 @@ operators!(
     Four,
     a,
     b,
-    Four(unsafe { _mm256_add_pd(a.0, b.0) }),
-    Four(unsafe { _mm256_sub_pd(a.0, b.0) }),
-    Four(unsafe { _mm256_mul_pd(a.0, b.0) }),
-    Four(unsafe { _mm256_div_pd(a.0, b.0) }),
-    Four(unsafe { _mm256_xor_pd(a.0, _mm256_set1_pd(-0.0)) })
+    Four(lanes!(_mm256_add_pd(a.0, b.0))),
+    Four(lanes!(_mm256_sub_pd(a.0, b.0))),
+    Four(lanes!(_mm256_mul_pd(a.0, b.0))),
+    Four(lanes!(_mm256_div_pd(a.0, b.0))),
+    Four(lanes!(_mm256_xor_pd(a.0, _mm256_set1_pd(-0.0))))
 );
 
 impl Real for Four {
     #[inline(always)]
     fn constant(value: f64) -> Self {
-        Self(unsafe { _mm256_set1_pd(value) })
+        Self(lanes!(_mm256_set1_pd(value)))
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Self(unsafe { _mm256_sqrt_pd(self.0) })
+        Self(lanes!(_mm256_sqrt_pd(self.0)))
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        Self(unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0) })
+        Self(lanes!(_mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0)))
     }
     #[inline(always)]
     fn map(self, function: impl Fn(f64) -> f64) -> Self {
@@ -84,25 +92,26 @@ impl Wide for Four {
         ) {
             write::<C, Four, D, P, N>(points, contacts, place, records);
         }
+        // SAFETY: the processor has these instructions, see the head of the file.
         unsafe { compiled::<C, D, P, N>(points, contacts, place, records) }
     }
 
     #[inline(always)]
     fn load(from: &[f64]) -> Self {
         match from.first_chunk::<4>() {
-            Some(from) => Self(unsafe { _mm256_loadu_pd(from.as_ptr()) }),
+            Some(from) => Self(lanes!(_mm256_loadu_pd(from.as_ptr()))),
             None => Self::constant(0.0),
         }
     }
     #[inline(always)]
     fn store(self, to: &mut [f64]) {
         if let Some(to) = to.first_chunk_mut::<4>() {
-            unsafe { _mm256_storeu_pd(to.as_mut_ptr(), self.0) }
+            lanes!(_mm256_storeu_pd(to.as_mut_ptr(), self.0))
         }
     }
     #[inline(always)]
     unsafe fn store_at(self, to: *mut f64) {
-        unsafe { _mm256_storeu_pd(to, self.0) }
+        lanes!(_mm256_storeu_pd(to, self.0))
     }
     #[inline(always)]
     fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize) {
@@ -110,31 +119,31 @@ impl Wide for Four {
     }
     #[inline(always)]
     fn below(self, other: Self) -> FourMask {
-        FourMask(unsafe { compare_four::<_CMP_LT_OQ>(self.0, other.0) })
+        FourMask(lanes!(compare_four::<_CMP_LT_OQ>(self.0, other.0)))
     }
     #[inline(always)]
     fn at_most(self, other: Self) -> FourMask {
-        FourMask(unsafe { compare_four::<_CMP_LE_OQ>(self.0, other.0) })
+        FourMask(lanes!(compare_four::<_CMP_LE_OQ>(self.0, other.0)))
     }
     #[inline(always)]
     fn equals(self, other: Self) -> FourMask {
-        FourMask(unsafe { compare_four::<_CMP_EQ_OQ>(self.0, other.0) })
+        FourMask(lanes!(compare_four::<_CMP_EQ_OQ>(self.0, other.0)))
     }
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
-        Self(unsafe { _mm256_max_pd(self.0, other.0) })
+        Self(lanes!(_mm256_max_pd(self.0, other.0)))
     }
     #[inline(always)]
     fn smaller(self, other: Self) -> Self {
-        Self(unsafe { _mm256_min_pd(self.0, other.0) })
+        Self(lanes!(_mm256_min_pd(self.0, other.0)))
     }
     #[inline(always)]
     fn select(mask: FourMask, yes: Self, no: Self) -> Self {
-        Self(unsafe { select_of_four(mask.0, yes.0, no.0) })
+        Self(lanes!(select_of_four(mask.0, yes.0, no.0)))
     }
     #[inline(always)]
     fn bits(mask: FourMask) -> u32 {
-        (unsafe { _mm256_movemask_pd(mask.0) }) as u32
+        (lanes!(_mm256_movemask_pd(mask.0))) as u32
     }
     #[inline(always)]
     fn mask(bits: u32) -> FourMask {
@@ -142,7 +151,7 @@ impl Wide for Four {
         for (lane, value) in values.iter_mut().enumerate() {
             *value = f64::from_bits(u64::from(bits >> lane & 1).wrapping_neg());
         }
-        FourMask(unsafe { _mm256_loadu_pd(values.as_ptr()) })
+        FourMask(lanes!(_mm256_loadu_pd(values.as_ptr())))
     }
 }
 
@@ -150,21 +159,24 @@ impl BitAnd for FourMask {
     type Output = Self;
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
-        Self(unsafe { _mm256_and_pd(self.0, other.0) })
+        Self(lanes!(_mm256_and_pd(self.0, other.0)))
     }
 }
 impl BitOr for FourMask {
     type Output = Self;
     #[inline(always)]
     fn bitor(self, other: Self) -> Self {
-        Self(unsafe { _mm256_or_pd(self.0, other.0) })
+        Self(lanes!(_mm256_or_pd(self.0, other.0)))
     }
 }
 impl Not for FourMask {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
-        Self(unsafe { _mm256_xor_pd(self.0, _mm256_set1_pd(f64::from_bits(u64::MAX))) })
+        Self(lanes!(_mm256_xor_pd(
+            self.0,
+            _mm256_set1_pd(f64::from_bits(u64::MAX))
+        )))
     }
 }
 
@@ -172,14 +184,14 @@ impl Not for FourMask {
 /// AVX2 is there.
 #[inline(always)]
 unsafe fn select_of_four(mask: __m256d, yes: __m256d, no: __m256d) -> __m256d {
-    unsafe { _mm256_blendv_pd(no, yes, mask) }
+    lanes!(_mm256_blendv_pd(no, yes, mask))
 }
 
 /// # Safety
 /// AVX2 is there.
 #[inline(always)]
 unsafe fn compare_four<const HOW: i32>(a: __m256d, b: __m256d) -> __m256d {
-    unsafe { _mm256_cmp_pd::<HOW>(a, b) }
+    lanes!(_mm256_cmp_pd::<HOW>(a, b))
 }
 
 /// Four numbers of four contacts to their records.
@@ -206,7 +218,7 @@ fn deal_four([a, b, c, d]: [__m256d; 4], to: &mut [f64], apart: usize) {
 impl Quad for Four {
     #[inline(always)]
     fn new([a, b, c, d]: [f64; 4]) -> Self {
-        Self(unsafe { _mm256_setr_pd(a, b, c, d) })
+        Self(lanes!(_mm256_setr_pd(a, b, c, d)))
     }
     #[inline(always)]
     fn same(value: f64) -> Self {
@@ -230,25 +242,25 @@ operators!(
     Eight,
     a,
     b,
-    Eight(unsafe { _mm512_add_pd(a.0, b.0) }),
-    Eight(unsafe { _mm512_sub_pd(a.0, b.0) }),
-    Eight(unsafe { _mm512_mul_pd(a.0, b.0) }),
-    Eight(unsafe { _mm512_div_pd(a.0, b.0) }),
-    Eight(unsafe { _mm512_xor_pd(a.0, _mm512_set1_pd(-0.0)) })
+    Eight(lanes!(_mm512_add_pd(a.0, b.0))),
+    Eight(lanes!(_mm512_sub_pd(a.0, b.0))),
+    Eight(lanes!(_mm512_mul_pd(a.0, b.0))),
+    Eight(lanes!(_mm512_div_pd(a.0, b.0))),
+    Eight(lanes!(_mm512_xor_pd(a.0, _mm512_set1_pd(-0.0))))
 );
 
 impl Real for Eight {
     #[inline(always)]
     fn constant(value: f64) -> Self {
-        Self(unsafe { _mm512_set1_pd(value) })
+        Self(lanes!(_mm512_set1_pd(value)))
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Self(unsafe { _mm512_sqrt_pd(self.0) })
+        Self(lanes!(_mm512_sqrt_pd(self.0)))
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        Self(unsafe { _mm512_andnot_pd(_mm512_set1_pd(-0.0), self.0) })
+        Self(lanes!(_mm512_andnot_pd(_mm512_set1_pd(-0.0), self.0)))
     }
     #[inline(always)]
     fn map(self, function: impl Fn(f64) -> f64) -> Self {
@@ -290,56 +302,57 @@ impl Wide for Eight {
         ) {
             write::<C, Eight, D, P, N>(points, contacts, place, records);
         }
+        // SAFETY: the processor has these instructions, see the head of the file.
         unsafe { compiled::<C, D, P, N>(points, contacts, place, records) }
     }
 
     #[inline(always)]
     fn load(from: &[f64]) -> Self {
         match from.first_chunk::<8>() {
-            Some(from) => Self(unsafe { _mm512_loadu_pd(from.as_ptr()) }),
+            Some(from) => Self(lanes!(_mm512_loadu_pd(from.as_ptr()))),
             None => Self::constant(0.0),
         }
     }
     #[inline(always)]
     fn store(self, to: &mut [f64]) {
         if let Some(to) = to.first_chunk_mut::<8>() {
-            unsafe { _mm512_storeu_pd(to.as_mut_ptr(), self.0) }
+            lanes!(_mm512_storeu_pd(to.as_mut_ptr(), self.0))
         }
     }
     #[inline(always)]
     unsafe fn store_at(self, to: *mut f64) {
-        unsafe { _mm512_storeu_pd(to, self.0) }
+        lanes!(_mm512_storeu_pd(to, self.0))
     }
     #[inline(always)]
     fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize) {
-        let low = quadruple.map(|lanes| unsafe { _mm512_extractf64x4_pd::<0>(lanes.0) });
-        let high = quadruple.map(|lanes| unsafe { _mm512_extractf64x4_pd::<1>(lanes.0) });
+        let low = quadruple.map(|lanes| lanes!(_mm512_extractf64x4_pd::<0>(lanes.0)));
+        let high = quadruple.map(|lanes| lanes!(_mm512_extractf64x4_pd::<1>(lanes.0)));
         deal_four(low, to, apart);
         deal_four(high, to.get_mut(4 * apart..).unwrap_or(&mut []), apart);
     }
     #[inline(always)]
     fn below(self, other: Self) -> EightMask {
-        EightMask(unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, other.0) })
+        EightMask(lanes!(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, other.0)))
     }
     #[inline(always)]
     fn at_most(self, other: Self) -> EightMask {
-        EightMask(unsafe { _mm512_cmp_pd_mask::<_CMP_LE_OQ>(self.0, other.0) })
+        EightMask(lanes!(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(self.0, other.0)))
     }
     #[inline(always)]
     fn equals(self, other: Self) -> EightMask {
-        EightMask(unsafe { _mm512_cmp_pd_mask::<_CMP_EQ_OQ>(self.0, other.0) })
+        EightMask(lanes!(_mm512_cmp_pd_mask::<_CMP_EQ_OQ>(self.0, other.0)))
     }
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
-        Self(unsafe { _mm512_max_pd(self.0, other.0) })
+        Self(lanes!(_mm512_max_pd(self.0, other.0)))
     }
     #[inline(always)]
     fn smaller(self, other: Self) -> Self {
-        Self(unsafe { _mm512_min_pd(self.0, other.0) })
+        Self(lanes!(_mm512_min_pd(self.0, other.0)))
     }
     #[inline(always)]
     fn select(mask: EightMask, yes: Self, no: Self) -> Self {
-        Self(unsafe { _mm512_mask_blend_pd(mask.0, no.0, yes.0) })
+        Self(lanes!(_mm512_mask_blend_pd(mask.0, no.0, yes.0)))
     }
     #[inline(always)]
     fn bits(mask: EightMask) -> u32 {

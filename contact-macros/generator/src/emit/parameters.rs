@@ -183,6 +183,11 @@ impl Parameters {
         self.axis.unwrap_or(self.entries.len())
     }
 
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.entries.len()
+    }
+
     /// The `Layout` constant.
     pub fn layout(&self) -> TokenStream {
         let option = |value: Option<usize>| match value {

@@ -13,6 +13,10 @@ use crate::linearise::law::{bound_program, law_program};
 use crate::linearise::sliding::{friction_program, sliding_program};
 use crate::model::{Body, Enforcement, Measure, Slave, TangentialLaw};
 
+/// Limits of a batch in lanes; the kernels assert them.
+const MOST_UNKNOWNS: usize = 40;
+const MOST_PARAMETERS: usize = 16;
+
 impl Facts<'_> {
     pub(super) fn descriptor(&self) -> TokenStream {
         let name = &self.element.name;
@@ -117,12 +121,13 @@ impl Facts<'_> {
 
     /// The kernel of a batch in lanes, and the function itself.
     fn lanes(&self) -> (TokenStream, TokenStream) {
-        if !self.element.lanes {
-            return (quote! { None }, quote! {});
-        }
         let name = &self.element.name;
         let (d, p, h) = self.sizes();
         let n = self.slave_nodes + self.master_nodes;
+        let fits = n * d <= MOST_UNKNOWNS && self.parameters.count() <= MOST_PARAMETERS;
+        if !self.element.lanes || !fits {
+            return (quote! { None }, quote! {});
+        }
         let vectors = self.vector_flags();
         let function = quote! {
             fn lanes(run: &mut ::contact_elements::abi::Run<'_>, width: runtime::Width) {

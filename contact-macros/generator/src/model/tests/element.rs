@@ -19,7 +19,7 @@ fn entries_of_elements() {
         "element E { slave: point; master: Quad4; normal: Penalty; «damping: Viscous; }",
         "an element has no entry `damping`",
         "an element has the entries `dimension`, `slave`, `master`, `normal`, `tangential`, `axis`, \
-         `rolling`, `director`, `angle`, `enforcement`, `gap`, `linearisation`, `measure` and `outputs`",
+         `rolling`, `director`, `angle`, `enforcement`, `gap`, `linearisation`, `measure`, `outputs` and `batch`",
     );
     assert_mistake(
         "element E { slave: point; master: Quad4; «master: Tri3; normal: Penalty; }",
@@ -299,6 +299,30 @@ fn enforcement() {
         "normal: Even; enforcement: augmented; measure: current;",
     ));
     assert_eq!(model.elements[0].enforcement, Enforcement::Augmented);
+}
+
+#[test]
+fn batches_in_lanes() {
+    let model = accept(
+        "element A { slave: point; master: Quad4; normal: Penalty; batch: lanes; }
+         element B { slave: Line2; master: Line2; gap: distance; normal: Penalty; batch: lanes; }
+         element C { slave: point; master: Quad4; normal: Penalty; batch: single; }",
+    );
+    let lanes: Vec<bool> = model.elements.iter().map(|element| element.lanes).collect();
+    assert_eq!(lanes, [true, true, false]);
+    for rest in [
+        "master: Torus placed; normal: Penalty;",
+        "master: Quad4; normal: Penalty; tangential: Coulomb;",
+        "master: Quad4; normal: Penalty; enforcement: augmented;",
+        "master: point; normal: Penalty;",
+    ] {
+        assert_mistake(
+            &format!("element A {{ slave: point; {rest} batch: «lanes; }}"),
+            "this element has no batch in lanes: they are for points and curves against a shape, by a penalty, \
+             without friction, rolling or angle",
+            "leave `batch` out: its contacts are evaluated one after the other",
+        );
+    }
 }
 
 #[test]

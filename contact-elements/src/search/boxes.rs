@@ -16,6 +16,8 @@ const NARROW: f64 = 1e-9;
 const SAME: f64 = 1e-10;
 /// Feet nearer than this part of the extent are the same.
 const NEAR: f64 = 1e-6;
+/// Rounding of a distance, relative to the coordinates and tangents that it is made of.
+const ROUNDING: f64 = 1e-13;
 /// Least definiteness of a unique foot.
 pub(super) const REGULAR: f64 = 1e-13;
 
@@ -101,10 +103,16 @@ impl<'a> Search<'a> {
         let (foot, steps) = descended(self.sides, start, whole);
         self.steps += steps;
         if !self.region.triangle || foot.zeta[0] + foot.zeta[1] <= 1.0 {
-            least = least.min(foot.square);
+            (start, least) = match foot.square < least {
+                true => (foot.zeta, foot.square),
+                false => (start, least),
+            };
         }
-        // nothing farther than this point is looked at
-        self.best = self.best.min(least * (1.0 + SAME));
+        // nothing farther than this point is looked at; of a small distance its rounding is a large part
+        let ends = self.sides.positions(&start).map(|end| sqrt(square(&end)));
+        let scale = size(&self.sides.at(&start), self.region.p) + ends[0] + ends[1];
+        let reach = sqrt(least) + ROUNDING * scale;
+        self.best = self.best.min(reach * reach * (1.0 + SAME));
     }
 
     fn push(&mut self, next: Box) {

@@ -1,10 +1,12 @@
-//! Where decisions come from: a generator with a seed.
+//! Where decisions come from: a generator with a seed, or bytes that somebody else chose.
 
 use rand::RngCore;
 use rand_pcg::Pcg64Mcg;
 
 /// A stream of decisions.
 pub struct Entropy {
+    /// What is left of the given bytes, the next one last.
+    bytes: Vec<u8>,
     generator: Pcg64Mcg,
 }
 
@@ -15,11 +17,27 @@ impl Entropy {
         let mixed = mixed.wrapping_mul(0x9e37_79b9_7f4a_7c15_f39c_c060_5ced_c835);
         let mut generator = Pcg64Mcg::new(mixed ^ (mixed >> 61));
         generator.next_u64();
-        Self { generator }
+        Self {
+            bytes: Vec::new(),
+            generator,
+        }
     }
 
-    /// `count` random bytes as a number.
+    /// The stream that begins with these bytes; what they do not decide is always decided in the same way, so that
+    /// few bytes make a whole call, and more of them change one decision each.
+    pub fn of_bytes(bytes: &[u8]) -> Self {
+        Self {
+            bytes: bytes.iter().rev().copied().collect(),
+            ..Self::of_call(0, 0)
+        }
+    }
+
+    /// `count` bytes as a number.
     fn number(&mut self, count: usize) -> u64 {
+        if let Some(rest) = self.bytes.len().checked_sub(count) {
+            let taken = self.bytes.drain(rest..);
+            return taken.fold(0, |number, byte| number << 8 | u64::from(byte));
+        }
         self.generator.next_u64() >> (64 - 8 * count)
     }
 
@@ -122,5 +140,15 @@ mod tests {
         assert_ne!(first(1, 5), first(1, 6));
         assert_ne!(first(1, 5), first(2, 5));
         assert_ne!(first(1, 2), first(2, 1));
+    }
+
+    #[test]
+    fn bytes_decide_as_long_as_there_are_any() {
+        let mut given = Entropy::of_bytes(&[0, 1, 2]);
+        assert_eq!([given.number(2), given.number(1)], [0x0100, 2]);
+        let mut other = Entropy::of_bytes(&[]);
+        let mut ended = Entropy::of_bytes(&[7]);
+        assert_eq!(ended.number(1), 7);
+        assert_eq!(ended.bits(), other.bits());
     }
 }

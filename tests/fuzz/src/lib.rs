@@ -11,6 +11,7 @@ pub mod entropy;
 pub mod evaluate;
 pub mod facets;
 pub mod fortran;
+pub mod guided;
 pub mod harness;
 pub mod histories;
 pub mod interface;

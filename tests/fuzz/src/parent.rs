@@ -28,6 +28,8 @@ pub struct Options {
     pub library: PathBuf,
     /// Begins the stream of every call.
     pub seed: u64,
+    /// A file that every call is made of instead.
+    pub input: Option<PathBuf>,
     /// Calls.
     pub calls: u64,
     /// What the names of the elements contain.
@@ -241,6 +243,9 @@ pub fn command(options: &Options, share: Share, ledger: &NamedTempFile) -> Comma
         .arg(ledger.path());
     if !options.element.is_empty() {
         command.arg("--element").arg(&options.element);
+    }
+    if let Some(input) = &options.input {
+        command.arg("--input").arg(input);
     }
     if let Some(sabotage) = options.sabotage {
         use clap::ValueEnum;

@@ -33,10 +33,20 @@ pub fn work(options: &Options, share: Share, ledger: &Path, verbose: bool) -> Re
     }
     let mut harness = Harness::new(interface, &options.element, ledger)?;
     harness.verbose = verbose;
+    let input = match &options.input {
+        Some(path) => {
+            let bytes = std::fs::read(path);
+            Some(bytes.map_err(|error| format!("{}: {error}", path.display()))?)
+        }
+        None => None,
+    };
     let mut call = share.first;
     while call < share.end {
         harness.begin(call);
-        let mut entropy = Entropy::of_call(options.seed, call);
+        let mut entropy = match &input {
+            Some(bytes) => Entropy::of_bytes(bytes),
+            None => Entropy::of_call(options.seed, call),
+        };
         if let Err(what) = harness.case(&mut entropy) {
             let mut output = std::io::stdout().lock();
             let line = writeln!(output, "{call}\t{what}").and_then(|()| output.flush());

@@ -37,6 +37,7 @@ fn options(calls: u64) -> Options {
         program: PathBuf::from(env!("CARGO_BIN_EXE_fuzz")),
         library: LIBRARY.clone(),
         seed: 20150,
+        input: None,
         calls,
         element: String::new(),
         jobs: 2,

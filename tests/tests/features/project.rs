@@ -2,8 +2,8 @@
 
 use contact_elements::abi::{Descriptor, Outcome, Projection, Query, argument, code, project};
 use contact_elements::elements::{
-    HermiteHermiteBeams, PointCircle2d, PointHelix, PointLine3In2d, PointQuad4, PointQuad4Coulomb,
-    PointQuad9, PointSphere, PointTri3,
+    HermiteHermiteBeams, Line2Line2Beams, PointCircle2d, PointHelix, PointLine3In2d, PointQuad4,
+    PointQuad4Coulomb, PointQuad9, PointSphere, PointTri3,
 };
 
 const INSIDE: i32 = 0;
@@ -181,6 +181,35 @@ fn crossing_and_parallel_beams() {
         result.verdict == NOT_UNIQUE || result.verdict == 4,
         "{result:?}"
     );
+}
+
+/// Lines that all but meet: of such a distance the rounding is a large part.
+#[test]
+fn beams_that_meet_to_rounding() {
+    for gap in [0.0, 1e-15, 1e-12, 3e-9, 1e-7, 2e-6, 1e-5] {
+        for turn in 0..200 {
+            let angle = 0.1 + 0.015 * f64::from(turn);
+            let (sin, cos) = angle.sin_cos();
+            let middle = [0.31 + 0.07 * sin, -0.17 + 0.05 * cos, 0.6];
+            let end = |along: f64, way: [f64; 3], lift: f64| {
+                [0, 1, 2].map(|k| middle[k] + along * way[k] + if k == 2 { lift } else { 0.0 })
+            };
+            let (first, last) = ([1.0, 0.2 * sin, 0.0], [cos, sin, 0.0]);
+            let x = [
+                end(-0.7, first, 0.0),
+                end(0.9, first, 0.0),
+                end(-1.1, last, gap),
+                end(0.8, last, gap),
+            ]
+            .concat();
+            let result = at(Line2Line2Beams::DESCRIPTOR, &x, &[1e3, 0.1], 0.0);
+            let error = (result.distance - gap).abs();
+            assert!(
+                result.verdict != BEYOND && error < 4e-15,
+                "{gap} {turn}: {result:?}"
+            );
+        }
+    }
 }
 
 /// The history begins at the foot: projection and anchor.

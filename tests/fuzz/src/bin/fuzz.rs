@@ -24,6 +24,9 @@ struct Arguments {
     /// Makes one call alone, after its inputs are printed
     #[arg(long)]
     call: Option<u64>,
+    /// Makes the call that a file of coverage-guided fuzzing stands for, alone
+    #[arg(long, conflicts_with = "call")]
+    input: Option<PathBuf>,
     /// Processes; 0: as many as processors
     #[arg(long, default_value_t = 0)]
     jobs: u64,
@@ -71,7 +74,7 @@ fn go(arguments: &Arguments) -> Result<bool, String> {
         let share = Share { first, step, end };
         return work(&options, share, ledger, arguments.verbose).map(|()| true);
     }
-    if let Some(call) = arguments.call {
+    if let Some(call) = arguments.call.or(arguments.input.as_ref().map(|_| 0)) {
         let found = replay(&options, call)?;
         match &found {
             Some(Finding { what, .. }) => println!("found: {what}"),
@@ -108,6 +111,7 @@ fn options(arguments: &Arguments) -> Result<Options, String> {
         program,
         library,
         seed: arguments.seed,
+        input: arguments.input.clone(),
         calls: arguments.calls,
         element: arguments.element.clone(),
         jobs: if arguments.jobs == 0 {

@@ -8,7 +8,7 @@ use contact_verify::configurations::Wanted;
 use crate::Failure;
 use crate::case::{Answer, Case, Request};
 use crate::iterations::pass;
-use crate::report::{Section, spread};
+use crate::report::{Section, number, spread};
 use crate::states::Catalogue;
 use crate::timing::{Contender, Effort, in_turns};
 
@@ -91,6 +91,7 @@ pub fn sections(effort: &Effort) -> Result<Vec<Section>, Failure> {
             "quartiles of the batch",
             "ratio",
             "quartiles of the ratio",
+            "ratio of the least",
         ],
     );
     for element in ELEMENTS {
@@ -136,7 +137,9 @@ fn compare(cases: &[Case], request: Request, effort: &Effort) -> Result<Vec<Stri
         timing.time("batch"),
         timing.ratio("batch", "single"),
     ];
-    Ok(columns.into_iter().flat_map(spread).collect())
+    let mut row: Vec<String> = columns.into_iter().flat_map(spread).collect();
+    row.push(number(timing.ratio_of_least("batch", "single")));
+    Ok(row)
 }
 
 /// A batch may round otherwise than a single call, not more.

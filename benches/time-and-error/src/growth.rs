@@ -77,6 +77,7 @@ fn section(groups: &[(String, Vec<Case>)], effort: &Effort) -> Section {
             "ns to store",
             "ratio",
             "quartiles of the ratio",
+            "ratio of the least",
         ],
     );
     let mut lines = [
@@ -92,6 +93,7 @@ fn section(groups: &[(String, Vec<Case>)], effort: &Effort) -> Section {
         row.extend(spread(time));
         row.push(number(stored.median));
         row.extend(spread(timing.ratio(name, &self::stored(name))));
+        row.push(number(timing.ratio_of_least(name, &self::stored(name))));
         section.row(row);
         let interpolated = usize::from(cases[0].descriptor.interpolated);
         lines[interpolated]

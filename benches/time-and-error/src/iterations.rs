@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::case::{Answer, Case, Request};
 use crate::pairs::{Line2Line2Beams, Pair, PointQuad4, PointQuad9, iterates};
-use crate::report::{Chart, Section, Series, spread};
+use crate::report::{Chart, Section, Series, number, spread};
 use crate::states::{Catalogue, State};
 use crate::timing::{Contender, Effort, in_turns};
 use crate::ways::{GENERATED, GIVEN, largest_and_median};
@@ -29,6 +29,7 @@ pub fn sections(effort: &Effort) -> Result<Vec<Section>, Failure> {
             "of K",
             "time from this iterate / from the start",
             "quartiles",
+            "of the least",
         ],
     );
     let mut lines = vec![];
@@ -82,6 +83,7 @@ fn add<P: Pair<N>, const N: usize>(
         let mut row = vec![name.to_string(), step.to_string()];
         row.extend([r[0], k[0], r[1], k[1]].map(|error| format!("{error:.1e}")));
         row.extend(spread(timing.ratio(&step.to_string(), GENERATED)));
+        row.push(number(timing.ratio_of_least(&step.to_string(), GENERATED)));
         section.row(row);
         for (line, error) in medians.iter_mut().zip([r[1], k[1]]) {
             line.push((step as f64, error.max(1e-17)));
@@ -90,6 +92,7 @@ fn add<P: Pair<N>, const N: usize>(
     let mut row = vec![name.to_string(), "given".to_string()];
     row.extend(vec!["–".to_string(); 4]);
     row.extend(spread(timing.ratio(GIVEN, GENERATED)));
+    row.push(number(timing.ratio_of_least(GIVEN, GENERATED)));
     section.row(row);
     let [residual, tangent] = medians;
     lines.push(Series::line(format!("{name}, R"), residual));

@@ -10,21 +10,20 @@ use crate::timing::Effort;
 /// Package and file of a library.
 struct Library {
     name: &'static str,
-    manifest: &'static str,
     package: &'static str,
     file: &'static str,
 }
 
+/// Of the workspace that both belong to.
+const MANIFEST: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
 const LIBRARIES: [Library; 2] = [
     Library {
         name: "all built-in elements",
-        manifest: concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml"),
-        package: "contact-elements-capi",
-        file: "libcontact_elements.so",
+        package: "contact-all-elements",
+        file: "libcontact_all_elements.so",
     },
     Library {
         name: "one element, a point on a bilinear facet",
-        manifest: concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml"),
         package: "contact-one-element",
         file: "libcontact_one_element.so",
     },
@@ -50,16 +49,18 @@ pub fn sections(effort: &Effort) -> Result<Vec<Section>, Failure> {
         row.push(format!("{:.3}", size[1] as f64 / sizes[0][1] as f64));
         section.row(row);
     }
-    section.note("Shared libraries, release profile; stripped by `strip`. Both export the whole interface, batches, patches and projections included.");
+    section.note(
+        "Shared libraries, release profile; stripped by `strip`. Both export the whole interface.",
+    );
     Ok(vec![section])
 }
 
 /// Bytes as built and stripped.
 fn sizes(library: &Library) -> Result<[u64; 2], Failure> {
     run(Command::new("cargo")
-        .args(["build", "--release", "--manifest-path", library.manifest])
+        .args(["build", "--release", "--manifest-path", MANIFEST])
         .args(["--package", library.package]))?;
-    let built = folder(library).join(library.file);
+    let built = folder().join(library.file);
     let stripped = std::env::temp_dir().join(format!("{}-{}", std::process::id(), library.file));
     run(Command::new("strip").arg("-o").arg(&stripped).arg(&built))?;
     let sizes = [built.metadata()?.len(), stripped.metadata()?.len()];
@@ -67,9 +68,9 @@ fn sizes(library: &Library) -> Result<[u64; 2], Failure> {
     Ok(sizes)
 }
 
-/// Where the release build of a library lies.
-fn folder(library: &Library) -> PathBuf {
-    let root = Path::new(library.manifest).with_file_name("target");
+/// Where release builds lie.
+fn folder() -> PathBuf {
+    let root = Path::new(MANIFEST).with_file_name("target");
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or(root, PathBuf::from);
     target.join("release")
 }

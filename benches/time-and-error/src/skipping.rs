@@ -169,7 +169,7 @@ pub fn sections(effort: &Effort) -> Result<Vec<Section>, Failure> {
         "quartiles",
         "ratio",
     ];
-    head.extend(["quartiles of the ratio", "to"]);
+    head.extend(["quartiles of the ratio", "ratio of the least", "to"]);
     if counts.is_some() {
         head.extend(["instructions", "ratio of instructions"]);
     }
@@ -180,6 +180,7 @@ pub fn sections(effort: &Effort) -> Result<Vec<Section>, Failure> {
         row.push(case.descriptor.operations.to_string());
         row.extend(spread(timing.time(name)));
         row.extend(spread(timing.ratio(name, reference)));
+        row.push(number(timing.ratio_of_least(name, reference)));
         row.push(if *reference == FULL { "full" } else { CYLINDER }.to_string());
         if let Some(counts) = &counts {
             let reference = ROWS.iter().position(|(name, ..)| name == reference);

@@ -120,9 +120,15 @@ impl Timing {
         Spread::of(both.map(|(time, reference)| time / reference).collect())
     }
 
-    /// Contenders in order.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.names.iter().map(String::as_str)
+    /// Least time of one over that of another: what a quiet machine would show, as far as a turn was quiet.
+    pub fn ratio_of_least(&self, name: &str, reference: &str) -> f64 {
+        let least = |name| {
+            self.rounds_of(name)
+                .iter()
+                .copied()
+                .fold(f64::INFINITY, f64::min)
+        };
+        least(name) / least(reference)
     }
 
     fn rounds_of(&self, name: &str) -> &[f64] {

@@ -5,7 +5,7 @@ use crate::case::Answer;
 use crate::pairs::{Line2Line2Beams, PointQuad4, PointQuad9};
 use crate::report::{Chart, Section, Series, number, spread};
 use crate::states::{Catalogue, State};
-use crate::timing::{Contender, Effort, in_turns};
+use crate::timing::{Contender, Effort, Timing, in_turns};
 use crate::ways::{ByTools, GENERATED, Way, must_be_exact};
 
 /// One section for each pair.
@@ -33,35 +33,30 @@ pub fn sections(effort: &Effort) -> Result<Vec<Section>, Failure> {
     ])
 }
 
+const HEAD: [&str; 10] = [
+    "way",
+    "ns",
+    "quartiles",
+    "ratio",
+    "quartiles of the ratio",
+    "ratio of the least",
+    "largest error of R",
+    "of K",
+    "median error of R",
+    "of K",
+];
+
 fn section<const N: usize>(
     states: &[State<N>],
     ways: &[Way<N>],
     effort: &Effort,
 ) -> Result<Section, Failure> {
     let name = states[0].case.name();
-    let contenders = ways.iter().map(|way| {
-        let mut answer = Answer::of(&states[0].case);
-        Contender::new(&way.name, states.len(), move || {
-            for state in states {
-                way.run(state, &mut answer);
-            }
-        })
-    });
-    let timing = in_turns(contenders.collect(), effort);
+    let timing = times(states, ways, effort);
     let mut section = Section::new(
         &format!("time-against-error-{name}"),
         &format!("Run time against error, {name}"),
-        &[
-            "way",
-            "ns",
-            "quartiles",
-            "ratio",
-            "quartiles of the ratio",
-            "largest error of R",
-            "of K",
-            "median error of R",
-            "of K",
-        ],
+        &HEAD,
     );
     let mut lines: Vec<Series> = vec![];
     for way in ways {
@@ -72,6 +67,7 @@ fn section<const N: usize>(
         let mut row = vec![way.name.clone()];
         row.extend(spread(time));
         row.extend(spread(ratio));
+        row.push(number(timing.ratio_of_least(&way.name, GENERATED)));
         row.extend([r[0], k[0], r[1], k[1]].map(|error| format!("{error:.1e}")));
         section.row(row);
         let point = (ratio.median, k[0].max(1e-17));
@@ -94,4 +90,16 @@ fn section<const N: usize>(
         series: lines,
     });
     Ok(section)
+}
+
+fn times<const N: usize>(states: &[State<N>], ways: &[Way<N>], effort: &Effort) -> Timing {
+    let contenders = ways.iter().map(|way| {
+        let mut answer = Answer::of(&states[0].case);
+        Contender::new(&way.name, states.len(), move || {
+            for state in states {
+                way.run(state, &mut answer);
+            }
+        })
+    });
+    in_turns(contenders.collect(), effort)
 }

@@ -1,4 +1,4 @@
-//! Micro-benchmarks of the kernels by criterion: `cargo run --release --bin kernels -- FILTER`.
+//! Micro-benchmarks of the kernels by criterion: `cargo run --release --bin kernels -- --bench FILTER`.
 
 use contact_time_and_error::case::{Answer, Request};
 use contact_time_and_error::states::Catalogue;

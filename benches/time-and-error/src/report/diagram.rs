@@ -133,7 +133,7 @@ where
     drawn
         .configure_series_labels()
         .position(SeriesLabelPosition::Coordinate(
-            (SIZE.0 - LEGEND - 62) as i32,
+            (SIZE.0 - LEGEND - 52) as i32,
             0,
         ))
         .label_font(("sans-serif", 11))

@@ -311,15 +311,16 @@ fn batches_in_lanes() {
     let lanes: Vec<bool> = model.elements.iter().map(|element| element.lanes).collect();
     assert_eq!(lanes, [true, true, false]);
     for rest in [
-        "master: Torus placed; normal: Penalty;",
-        "master: Quad4; normal: Penalty; tangential: Coulomb;",
-        "master: Quad4; normal: Penalty; enforcement: augmented;",
-        "master: point; normal: Penalty;",
+        "slave: point; master: Torus placed; normal: Penalty;",
+        "slave: point; master: Quad4; normal: Penalty; tangential: Coulomb;",
+        "slave: point; master: Quad4; normal: Penalty; enforcement: augmented;",
+        "slave: point; master: point; normal: Penalty;",
+        "slave: Line2; master: Line2; normal: Penalty; gap: signed;",
     ] {
         assert_mistake(
-            &format!("element A {{ slave: point; {rest} batch: «lanes; }}"),
+            &format!("element A {{ {rest} batch: «lanes; }}"),
             "this element has no batch in lanes: they are for points and curves against a shape, by a penalty, \
-             without friction, rolling or angle",
+             without friction, rolling, angle or signed gap of two curves",
             "leave `batch` out: its contacts are evaluated one after the other",
         );
     }

@@ -2,7 +2,7 @@
 //!
 //! [`case`]: a state as an element is called with it; [`truth`]: its residual and tangent in octuple precision;
 //! [`timing`]: contenders in turns; [`pairs`]: the same pairs by hand, for the other [`ways`] to a tangent. One module
-//! per table, made by [`sections`]; [`report`] writes them.
+//! per table, listed in [`SECTIONS`]; [`report`] writes them.
 
 pub mod batch;
 pub mod case;

@@ -7,7 +7,7 @@ use std::time::Instant;
 pub struct Effort {
     /// Rounds; in each of them every contender has its turn.
     pub rounds: usize,
-    /// Least time of a turn [ns].
+    /// Least time of a turn in nanoseconds.
     pub turn: f64,
     /// Random states.
     pub states: u64,

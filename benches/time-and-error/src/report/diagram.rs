@@ -125,19 +125,13 @@ where
             drawn.draw_series(line)?;
         }
         let points = series.points.iter();
-        drawn
-            .draw_series(points.map(|&point| Circle::new(point, 3, color.filled())))?
-            .label(&series.name)
-            .legend(move |at| Circle::new(at, 3, color.filled()));
+        drawn.draw_series(points.map(|&point| Circle::new(point, 3, color.filled())))?;
+        // the chart's own labels are clipped to the plot
+        let (x, y) = ((SIZE.0 - LEGEND) as i32, 44 + 14 * i as i32);
+        root.draw(&Circle::new((x, y), 3, color.filled()))?;
+        let font = ("sans-serif", 11);
+        root.draw(&Text::new(series.name.clone(), (x + 12, y - 4), font))?;
     }
-    drawn
-        .configure_series_labels()
-        .position(SeriesLabelPosition::Coordinate(
-            (SIZE.0 - LEGEND - 52) as i32,
-            0,
-        ))
-        .label_font(("sans-serif", 11))
-        .draw()?;
     root.present()?;
     Ok(())
 }

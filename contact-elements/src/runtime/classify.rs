@@ -171,7 +171,7 @@ fn multiplier<E: Element<D, P, H>, const D: usize, const P: usize, const H: usiz
 
 /// Largest N, N' and W [as declared]: ½ ε g² of the largest ε and g that are taken. Products of larger ones would
 /// overflow, even such that no output needs.
-const LARGEST: f64 = 1e90;
+pub(super) const LARGEST: f64 = 1e90;
 
 /// N, N' and W of a closed point, where the law is defined and its values are such that forces can be made of them.
 #[inline(always)]

@@ -93,7 +93,10 @@ fn newton<E: Element<D, P, H>, T: Wide, const D: usize, const P: usize, const H:
         let mut is_near = step.is_regular;
         for i in 0..P {
             let extent = T::constant(E::extent(i));
-            let change = step.change[i].larger(-extent).smaller(extent);
+            let mut change = step.change[i];
+            if !is_affine {
+                change = change.larger(-extent).smaller(extent);
+            }
             is_near = is_near & step.change[i].is_finite();
             zeta[i] = T::select(active & is_near, zeta[i] + change, zeta[i]);
             let relative = change.abs() / extent;

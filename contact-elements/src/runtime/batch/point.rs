@@ -3,6 +3,7 @@
 use super::block::{Block, Column, MOST_PARAMETERS, ROOM, Records};
 use super::newton::project;
 use super::wide::Wide;
+use crate::runtime::classify::LARGEST;
 use crate::runtime::element::{Element, Layout};
 use crate::runtime::kernel::FARTHEST_PROJECTION;
 use crate::runtime::receiver::Wanted;
@@ -350,7 +351,10 @@ fn coefficients<
         return false;
     }
     let law = E::Law::evaluate(gap.gap, &parameters);
-    let mut finite = law.traction.is_finite() & law.slope.is_finite() & law.energy.is_finite();
+    let most = T::constant(LARGEST);
+    let mut finite = law.traction.abs().at_most(most)
+        & law.slope.abs().at_most(most)
+        & law.energy.abs().at_most(most);
     store_some(law.traction, &mut records.traction, rank);
     store_some(law.energy, &mut records.energy, rank);
     let s: [T; N] = pack(&block.s, slots);

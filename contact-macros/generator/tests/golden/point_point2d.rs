@@ -15,12 +15,12 @@ mod _element_pointpoint2d {
     /// 8 operations, 4 inputs, 4 outputs.
     #[allow(clippy::all, unused_variables)]
     #[inline(always)]
-    fn gap(i: &[f64; 4usize]) -> [f64; 4usize] {
+    fn gap<T: ::contact_elements::runtime::Real>(i: &[T; 4usize]) -> [T; 4usize] {
         let t3 = i[0usize] * i[0usize];
         let t4 = i[1usize] * i[1usize];
         let t5 = t3 + t4;
-        let t6 = ::contact_elements::arithmetic::sqrt(t5);
-        let t8 = 1f64 / t6;
+        let t6 = T::sqrt(t5);
+        let t8 = T::constant(1f64) / t6;
         let t9 = i[0usize] * t8;
         let t10 = i[1usize] * t8;
         let t11 = t6 - i[3usize];
@@ -29,7 +29,7 @@ mod _element_pointpoint2d {
     /// 15 operations, 5 inputs, 4 outputs.
     #[allow(clippy::all, unused_variables)]
     #[inline(always)]
-    fn tangent(i: &[f64; 5usize]) -> [f64; 4usize] {
+    fn tangent<T: ::contact_elements::runtime::Real>(i: &[T; 5usize]) -> [T; 4usize] {
         let t7 = i[0usize] * i[0usize];
         let t8 = i[4usize] * t7;
         let t9 = i[0usize] * i[1usize];
@@ -37,10 +37,10 @@ mod _element_pointpoint2d {
         let t11 = i[1usize] * i[1usize];
         let t12 = i[4usize] * t11;
         let t13 = i[3usize] / i[2usize];
-        let t15 = 1f64 - t7;
+        let t15 = T::constant(1f64) - t7;
         let t16 = t13 * t15;
         let t17 = t9 * t13;
-        let t18 = 1f64 - t11;
+        let t18 = T::constant(1f64) - t11;
         let t19 = t13 * t18;
         let t20 = t8 + t16;
         let t21 = t10 - t17;
@@ -79,18 +79,18 @@ mod _element_pointpoint2d {
         const TWO_CURVES: bool = false;
         const PARALLEL: runtime::Status = runtime::Status::Degenerate;
         #[inline(always)]
-        fn slave(point: usize, parameters: &[f64], s: &mut [f64]) {
+        fn slave<T: runtime::Real>(point: usize, parameters: &[T], s: &mut [T]) {
             if let Some(s) = s.first_mut() {
-                *s = 1.0;
+                *s = T::constant(1.0);
             }
         }
         #[inline(always)]
-        fn kinematics(
-            x: &[[f64; 2usize]],
-            zeta: &[f64; 0usize],
-            parameters: &[f64],
-            rows: &mut runtime::Rows<'_, 0usize>,
-        ) -> runtime::Vectors<2usize, 0usize, 0usize> {
+        fn kinematics<T: runtime::Real>(
+            x: &[[T; 2usize]],
+            zeta: &[T; 0usize],
+            parameters: &[T],
+            rows: &mut runtime::Rows<'_, 0usize, T>,
+        ) -> runtime::Vectors<2usize, 0usize, 0usize, T> {
             runtime::onto_point(x, rows)
         }
         #[inline(always)]
@@ -98,12 +98,12 @@ mod _element_pointpoint2d {
             [0.0; 0usize]
         }
         #[inline(always)]
-        fn gap(
-            vectors: &runtime::Vectors<2usize, 0usize, 0usize>,
-            parameters: &[f64],
-            orientation: f64,
-        ) -> runtime::Gap<2usize> {
-            let r0 = parameters.get(1usize).copied().unwrap_or(0.0);
+        fn gap<T: runtime::Real>(
+            vectors: &runtime::Vectors<2usize, 0usize, 0usize, T>,
+            parameters: &[T],
+            orientation: T,
+        ) -> runtime::Gap<2usize, T> {
+            let r0 = parameters.get(1usize).copied().unwrap_or(T::constant(0.0));
             let o = gap(&[vectors.r[0usize], vectors.r[1usize], orientation, r0]);
             runtime::Gap {
                 n: [o[0usize], o[1usize]],
@@ -112,13 +112,13 @@ mod _element_pointpoint2d {
             }
         }
         #[inline(always)]
-        fn tangent(
-            vectors: &runtime::Vectors<2usize, 0usize, 0usize>,
-            gap: &runtime::Gap<2usize>,
-            traction: &runtime::Traction,
-            parameters: &[f64],
-            orientation: f64,
-        ) -> runtime::Coefficients<2usize, 0usize> {
+        fn tangent<T: runtime::Real>(
+            vectors: &runtime::Vectors<2usize, 0usize, 0usize, T>,
+            gap: &runtime::Gap<2usize, T>,
+            traction: &runtime::Traction<T>,
+            parameters: &[T],
+            orientation: T,
+        ) -> runtime::Coefficients<2usize, 0usize, T> {
             let o = tangent(
                 &[
                     gap.n[0usize],
@@ -241,6 +241,7 @@ mod _element_pointpoint2d {
                     0usize,
                 >>::EXTENTS,
                 kernel,
+                lanes: None,
             };
             &DESCRIPTOR
         };

@@ -96,28 +96,39 @@ fn newton(sides: &Sides<'_>, start: [f64; 2], within: &Box) -> ([f64; 2], u32) {
     let mut zeta = start;
     let mut local = sides.at(&zeta);
     for step in 1..=MOST_STEPS {
-        let slopes = [0_usize, 1].map(|i| {
-            let i = i.min(1);
-            dot(&local.r, &local.b[i])
-        });
-        let free = [0_usize, 1].map(|i| {
-            let i = i.min(1);
-            let below = zeta[i] <= within.lower[i] && slopes[i] >= 0.0;
-            let above = zeta[i] >= within.upper[i] && slopes[i] <= 0.0;
-            !(below || above)
-        });
+        let (slopes, free) = free(&local, &zeta, within);
         let change = direction(&local, &slopes, free);
-        let taken = advance(sides, &mut zeta, &mut local, &change, within);
-        if !taken {
+        if advance(sides, &mut zeta, &mut local, &change, within) {
+            continue;
+        }
+        // a side takes its part of Newton's step away, and what is left of it may lead upwards
+        let (slopes, free) = self::free(&local, &zeta, within);
+        let change = alone(&local, &slopes, free);
+        if !advance(sides, &mut zeta, &mut local, &change, within) {
             return (zeta, step);
         }
     }
     (zeta, MOST_STEPS)
 }
 
-/// −F⁻¹ f in the free parameters.
-fn direction(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2] {
-    let [f11, f12, f22] = curvature(local);
+/// f_i, and which parameters no bound holds.
+fn free(local: &Local<f64>, zeta: &[f64; 2], within: &Box) -> ([f64; 2], [bool; 2]) {
+    let slopes = [0_usize, 1].map(|i| {
+        let i = i.min(1);
+        dot(&local.r, &local.b[i])
+    });
+    let free = [0_usize, 1].map(|i| {
+        let i = i.min(1);
+        let below = zeta[i] <= within.lower[i] && slopes[i] >= 0.0;
+        let above = zeta[i] >= within.upper[i] && slopes[i] <= 0.0;
+        !(below || above)
+    });
+    (slopes, free)
+}
+
+/// −f_i/F_ii in each of the free parameters: r·r falls along any part of it.
+fn alone(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2] {
+    let [f11, _, f22] = curvature(local);
     let alone = |slope: f64, curvature: f64, metric: f64| {
         let divisor = if curvature > 1e-12 * metric {
             curvature
@@ -138,6 +149,15 @@ fn direction(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2]
         alone(slopes[0], f11, metric[0]),
         alone(slopes[1], f22, metric[1]),
     ];
+    [
+        if free[0] { each[0] } else { 0.0 },
+        if free[1] { each[1] } else { 0.0 },
+    ]
+}
+
+/// −F⁻¹ f in the free parameters.
+fn direction(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2] {
+    let [f11, f12, f22] = curvature(local);
     let determinant = f11 * f22 - f12 * f12;
     let is_regular = determinant > 1e-15 * f11 * f22 && f11 > 0.0 && determinant > 1e-200;
     match free {
@@ -145,10 +165,7 @@ fn direction(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2]
             quotient(f12 * slopes[1] - f22 * slopes[0], determinant),
             quotient(f12 * slopes[0] - f11 * slopes[1], determinant),
         ],
-        [first, last] => [
-            if first { each[0] } else { 0.0 },
-            if last { each[1] } else { 0.0 },
-        ],
+        _ => alone(local, slopes, free),
     }
 }
 

@@ -212,6 +212,62 @@ fn beams_that_meet_to_rounding() {
     }
 }
 
+/// The least distance of two segments: between an end and the other segment, or between their lines.
+fn between_segments([a, b]: [[f64; 3]; 2], [c, d]: [[f64; 3]; 2]) -> f64 {
+    let minus = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| p[k] - q[k]);
+    let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    let at = |p: [f64; 3], way: [f64; 3], s: f64| [0, 1, 2].map(|k| p[k] + s * way[k]);
+    let length = |v: [f64; 3]| dot(v, v).sqrt();
+    let from = |p: [f64; 3], [a, b]: [[f64; 3]; 2]| {
+        let way = minus(b, a);
+        let s = (dot(minus(p, a), way) / dot(way, way)).clamp(0.0, 1.0);
+        length(minus(p, at(a, way, s)))
+    };
+    let ends = [
+        from(a, [c, d]),
+        from(b, [c, d]),
+        from(c, [a, b]),
+        from(d, [a, b]),
+    ];
+    let (u, v, w) = (minus(b, a), minus(d, c), minus(a, c));
+    let (uu, uv, vv, uw, vw) = (dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w));
+    let determinant = uu * vv - uv * uv;
+    let (s, t) = (
+        (uv * vw - vv * uw) / determinant,
+        (uu * vw - uv * uw) / determinant,
+    );
+    let inside = (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t);
+    let crossing = match inside {
+        true => length(minus(at(a, u, s), at(c, v, t))),
+        false => f64::MAX,
+    };
+    ends.into_iter().fold(crossing, f64::min)
+}
+
+/// Segments at all angles down to 0.01 rad: the minimum is often at an end, near a corner of the domain.
+#[test]
+fn segments_of_any_angle() {
+    let mut seed = 1_u64;
+    let mut number = || {
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    };
+    for state in 0..60_000 {
+        let spread = [1.0, 0.1, 0.01][state % 3];
+        let mut vector = |size: f64| [0; 3].map(|_| size * number());
+        let (a, way, start, turn) = (vector(1.0), vector(1.5), vector(1.0), vector(spread));
+        let plus = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|k| p[k] + q[k]);
+        let (b, d) = (plus(a, way), plus(start, plus(way, turn)));
+        let x = [a, b, start, d].concat();
+        let result = at(Line2Line2Beams::DESCRIPTOR, &x, &[1e3, 0.1], 0.0);
+        let expected = between_segments([a, b], [start, d]);
+        let error = (result.distance - expected).abs();
+        assert!(error < 1e-11, "{state}: {expected} {result:?}");
+    }
+}
+
 /// The history begins at the foot: projection and anchor.
 #[test]
 fn history_begins_at_the_foot() {

@@ -90,7 +90,16 @@ fn one(subject: &Subject, extent: &Extent, source_bytes: usize) -> ElementCertif
         outside: try_status(Wanted::Outside),
         sequences: has_friction.then(|| sequences::prove(subject, seed)),
         invariance: invariance::prove(subject, seed),
-        global: global::prove(subject, PROJECTIONS, 1, seed),
+        global: global::prove(
+            subject,
+            global::Extent {
+                first: 0,
+                families: PROJECTIONS,
+                family: 1,
+                compared: 1,
+                seed,
+            },
+        ),
         sides: sides::prove(subject, seed),
         slopes: subject
             .description

@@ -8,8 +8,9 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 use contact_verify::certify::{Extent, certify};
+use contact_verify::projections::{self, Length};
+use contact_verify::stress;
 use contact_verify::subject::{self, Subject};
-use contact_verify::{projections, stress};
 
 /// Generates the contact elements, builds the C library and proves every element.
 #[derive(Parser)]
@@ -32,9 +33,6 @@ struct Options {
     /// Folder for libraries, headers, generated sources and the certificate.
     #[arg(long, default_value = "target/contact-elements")]
     output: PathBuf,
-    /// Only global projections: this many states per element.
-    #[arg(long)]
-    projections: Option<u64>,
     /// Do not build the C library.
     #[arg(long)]
     no_library: bool,
@@ -44,6 +42,27 @@ struct Options {
 enum Command {
     /// Measures numerical stability: one parameter at a time is driven to its extreme.
     Stress(StressOptions),
+    /// Measures iterations and outcomes of projections, globally, from the centre and from a neighbouring state.
+    Projections(ProjectionOptions),
+}
+
+#[derive(Args)]
+struct ProjectionOptions {
+    /// Random states per element.
+    #[arg(long, default_value_t = 10_000)]
+    states: u64,
+    /// Seed of the random states.
+    #[arg(long, default_value_t = 20_150)]
+    seed: u64,
+    /// Longest time of one element, in seconds.
+    #[arg(long, default_value_t = f64::INFINITY)]
+    seconds: f64,
+    /// All elements whose name contains this text; otherwise one of each geometry and pair of curves.
+    #[arg(long)]
+    element: Option<String>,
+    /// Folder for `projections.csv`.
+    #[arg(long, default_value = "target/contact-elements")]
+    output: PathBuf,
 }
 
 #[derive(Args)]
@@ -66,6 +85,7 @@ fn main() -> ExitCode {
     let options = Options::parse();
     let outcome = match &options.command {
         Some(Command::Stress(stress)) => run_stress(stress),
+        Some(Command::Projections(projections)) => run_projections(projections),
         None => run(&options),
     };
     match outcome {
@@ -80,15 +100,12 @@ fn main() -> ExitCode {
 
 fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
     let sizes = build::generated_sources(&options.output)?;
-    let places = if options.no_library || options.projections.is_some() {
+    let places = if options.no_library {
         None
     } else {
         Some(build::c_library(&options.output)?)
     };
     let subjects = subjects(&options.element)?;
-    if let Some(states) = options.projections {
-        return Ok(projections::run(&subjects, states, options.seed) == 0);
-    }
     let certificate = certify(
         &subjects,
         &Extent {
@@ -125,6 +142,20 @@ fn run_stress(options: &StressOptions) -> Result<bool, Box<dyn std::error::Error
     let report = stress::report::run(&subjects, extent, &options.output)?;
     println!("{report}");
     Ok(report.passed())
+}
+
+fn run_projections(options: &ProjectionOptions) -> Result<bool, Box<dyn std::error::Error>> {
+    let subjects = subjects(options.element.as_deref().unwrap_or_default())?;
+    let chosen = match options.element {
+        Some(_) => subjects.iter().collect(),
+        None => projections::representatives(&subjects),
+    };
+    let length = Length {
+        states: options.states,
+        seconds: options.seconds,
+    };
+    let failed = projections::run(&chosen, length, options.seed, &options.output)?;
+    Ok(failed == 0)
 }
 
 /// The built-in elements whose name contains a text.

@@ -1,66 +1,276 @@
-//! The long run of global projections: a table of boxes and steps per element.
+//! The long run of projections: a row of efforts and outcomes per geometry, on the screen and as CSV.
 
+use std::error::Error;
+use std::path::Path;
 use std::time::Instant;
 
 use comfy_table::{Cell, CellAlignment, Table, presets};
+use contact_elements::program::{MasterDescription, SlaveDescription};
+use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::proof::global::{self, Global};
+use crate::proof::global::{self, Effort, Extent, Global, Local};
 use crate::subject::Subject;
 
-/// Every how many-th state is compared with a grid; the others are judged by their verdict, foot and slopes.
-const COMPARED: u64 = 100;
-/// Name of a verdict, in the order of [`Global::verdicts`].
-const VERDICTS: [&str; 5] = ["inside", "boundary", "not unique", "beyond", "undecided"];
+/// Every how many-th state is compared with a grid; the others with a few random points of the domain.
+const COMPARED: u64 = 1000;
+/// Disturbances of one random state, and how many families are done between looks at the clock.
+const FAMILY: u64 = 50;
+const BLOCK: u64 = 40;
 
-/// Projects in `states` states of every subject; prints each row as it is done. Returns how many failed.
-pub fn run(subjects: &[Subject], states: u64, seed: u64) -> u64 {
-    let mut table = Table::new();
-    table.load_style(presets::ASCII_MARKDOWN);
-    let columns = [
-        "element",
-        "points",
-        "boxes, mean",
-        "most",
-        "steps, mean",
-        "most",
-        "µs",
-    ];
-    table.set_header(columns.iter().chain(&VERDICTS));
+/// How long a run is.
+#[derive(Clone, Copy, Debug)]
+pub struct Length {
+    /// States of every element, in whole families.
+    pub states: u64,
+    /// Seconds after which the next element has its turn.
+    pub seconds: f64,
+}
+
+/// The first subject of each geometry that points are projected onto, and of each pair of curves.
+pub fn representatives(subjects: &[Subject]) -> Vec<&Subject> {
+    let mut known = Vec::new();
+    let mut list = Vec::new();
+    for subject in subjects {
+        // beyond its angles an element says nothing of its projection
+        let slave = match &subject.description.slave {
+            _ if subject.description.angle.is_some() => continue,
+            SlaveDescription::Point => "",
+            SlaveDescription::Projected(geometry) => geometry.name,
+            _ => continue,
+        };
+        let master = match &subject.description.master {
+            MasterDescription::Shape(geometry) | MasterDescription::Rigid(geometry) => {
+                geometry.name
+            }
+            MasterDescription::Point | MasterDescription::Distance(_) => continue,
+        };
+        if !known.contains(&(slave, master)) {
+            known.push((slave, master));
+            list.push(subject);
+        }
+    }
+    list
+}
+
+/// Projects in random states of every subject; prints a table, writes `projections.csv` row by row. Returns how
+/// many answers were wrong.
+///
+/// # Errors
+/// Where something cannot be written.
+pub fn run(
+    subjects: &[&Subject],
+    length: Length,
+    seed: u64,
+    folder: &Path,
+) -> Result<u64, Box<dyn Error>> {
+    std::fs::create_dir_all(folder)?;
+    let mut file = csv::Writer::from_path(folder.join("projections.csv"))?;
+    let columns = columns(&Global::default());
+    let names = columns.iter().map(|(name, _)| *name);
+    file.write_record(["element"].into_iter().chain(names).chain(["seconds"]))?;
+    let mut rows = Vec::new();
     let mut failed = 0;
     for subject in subjects {
-        let start = Instant::now();
-        let Some(global) = global::prove(subject, states, COMPARED, seed) else {
+        let Some((global, seconds)) = measured(subject, length, seed) else {
             continue;
         };
-        let seconds = start.elapsed().as_secs_f64();
-        eprintln!("{}: {} states in {seconds:.1} s", subject.name(), states);
         for failure in &global.finding.failures {
             eprintln!("FAILED {}: {failure}", subject.name());
         }
         failed += global.finding.failed;
-        table.add_row(row(subject, &global, seconds));
+        let mut record = vec![subject.name().to_string()];
+        record.extend(self::columns(&global).into_iter().map(|(_, value)| value));
+        record.push(format!("{seconds:.1}"));
+        file.write_record(record)?;
+        file.flush()?;
+        let points = global.boxes.count;
+        eprintln!("{}: {points} points in {seconds:.1} s", subject.name());
+        rows.push((subject.name(), global));
     }
+    println!("{}", efforts(&rows));
+    println!("{}", outcomes(&rows));
+    Ok(failed)
+}
+
+/// Runs one subject with a bar.
+fn measured(subject: &Subject, length: Length, seed: u64) -> Option<(Global, f64)> {
+    let start = Instant::now();
+    let families = length.states.div_ceil(FAMILY);
+    let bar = ProgressBar::new(families * FAMILY);
+    let template = "{bar:30} {human_pos}/{human_len} {msg} [{elapsed}, {eta} left]";
+    if let Ok(style) = ProgressStyle::with_template(template) {
+        bar.set_style(style);
+    }
+    bar.set_message(subject.name());
+    let mut global = Global::default();
+    let mut first = 0;
+    while first < families && start.elapsed().as_secs_f64() < length.seconds {
+        let extent = Extent {
+            first,
+            families: BLOCK.min(families - first),
+            family: FAMILY,
+            compared: COMPARED,
+            seed,
+        };
+        global = global.merge(global::prove(subject, extent)?);
+        first += extent.families;
+        bar.set_position(first * FAMILY);
+    }
+    bar.finish_and_clear();
+    Some((global, start.elapsed().as_secs_f64()))
+}
+
+/// Names and values of the CSV.
+fn columns(global: &Global) -> Vec<(&'static str, String)> {
+    let mut columns = Vec::new();
+    let verdicts = ["inside", "boundary", "not_unique", "beyond", "undecided"];
+    let features = [
+        "no_feature",
+        "feature_1",
+        "feature_2",
+        "feature_3",
+        "feature_4",
+        "feature_5",
+        "feature_6",
+        "feature_7",
+        "feature_8",
+    ];
+    let counted = |names: &[&'static str], counters: &[u64]| -> Vec<(&'static str, String)> {
+        let values = counters.iter().map(u64::to_string);
+        names.iter().copied().zip(values).collect()
+    };
+    columns.extend(counted(&verdicts, &global.verdicts));
+    columns.extend(counted(&features, &global.features));
+    columns.extend(counted(
+        &["boxes", "boxes_most", "steps", "steps_most"],
+        &[
+            global.boxes.sum,
+            global.boxes.most,
+            global.steps.sum,
+            global.steps.most,
+        ],
+    ));
+    let local = |local: &Local| {
+        let Effort {
+            count,
+            sum,
+            most,
+            few,
+        } = local.iterations;
+        let mut counters = local.outcomes.to_vec();
+        counters.extend([count, sum, most, few, local.elsewhere]);
+        counters
+    };
+    let cold = [
+        "cold_inside",
+        "cold_outside",
+        "cold_not_converged",
+        "cold_not_unique",
+        "cold_degenerate",
+        "cold_answers",
+        "cold_iterations",
+        "cold_iterations_most",
+        "cold_at_most_3",
+        "cold_elsewhere",
+    ];
+    let warm = [
+        "warm_inside",
+        "warm_outside",
+        "warm_not_converged",
+        "warm_not_unique",
+        "warm_degenerate",
+        "warm_answers",
+        "warm_iterations",
+        "warm_iterations_most",
+        "warm_at_most_3",
+    ];
+    columns.extend(counted(&cold, &local(&global.cold)));
+    columns.extend(counted(&warm, &local(&global.warm)));
+    columns.extend(counted(
+        &["judged", "wrong"],
+        &[global.finding.tried, global.finding.failed],
+    ));
+    columns
+}
+
+/// How much work the three took.
+fn efforts(rows: &[(&str, Global)]) -> Table {
+    let mut table = table(&[
+        "element", "points", "boxes", "most", "steps", "most", "cold", "most", "warm", "most",
+        "≤ 3", "judged", "wrong",
+    ]);
+    for (name, global) in rows {
+        let pair = |effort: &Effort| [format!("{:.2}", effort.mean()), effort.most.to_string()];
+        let warm = &global.warm.iterations;
+        let mut row = vec![(*name).to_string(), global.boxes.count.to_string()];
+        row.extend(pair(&global.boxes));
+        row.extend(pair(&global.steps));
+        row.extend(pair(&global.cold.iterations));
+        row.extend(pair(warm));
+        row.push(percent(warm.few, warm.count));
+        row.extend([global.finding.tried, global.finding.failed].map(|n| n.to_string()));
+        table.add_row(row.into_iter().map(Cell::new));
+    }
+    aligned(table)
+}
+
+/// What came out.
+fn outcomes(rows: &[(&str, Global)]) -> Table {
+    let mut table = table(&[
+        "element",
+        "inside",
+        "edge",
+        "vertex",
+        "not unique",
+        "undecided",
+        "cold: inside",
+        "elsewhere",
+        "outside",
+        "no answer",
+        "warm: inside",
+        "outside",
+        "no answer",
+    ]);
+    for (name, global) in rows {
+        let [inside, _, not_unique, _, undecided] = global.verdicts;
+        let edges: u64 = global.features[1..5].iter().sum();
+        let vertices: u64 = global.features[5..].iter().sum();
+        let none = |local: &Local| local.outcomes[2..].iter().sum::<u64>();
+        let (cold, warm) = (&global.cold, &global.warm);
+        let values = [
+            inside,
+            edges,
+            vertices,
+            not_unique,
+            undecided,
+            cold.outcomes[0],
+            cold.elsewhere,
+            cold.outcomes[1],
+            none(cold),
+            warm.outcomes[0],
+            warm.outcomes[1],
+            none(warm),
+        ];
+        let cells = values.iter().map(u64::to_string);
+        table.add_row([(*name).to_string()].into_iter().chain(cells));
+    }
+    aligned(table)
+}
+
+fn percent(part: u64, whole: u64) -> String {
+    format!("{:.1} %", 100.0 * part as f64 / whole.max(1) as f64)
+}
+
+fn table(columns: &[&str]) -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::ASCII_MARKDOWN);
+    table.set_header(columns);
+    table
+}
+
+fn aligned(mut table: Table) -> Table {
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
     }
-    println!("{table}");
-    failed
-}
-
-fn row(subject: &Subject, global: &Global, seconds: f64) -> Vec<Cell> {
-    let points: u64 = global.verdicts.iter().sum();
-    let mean = |sum: u64| format!("{:.1}", sum as f64 / points.max(1) as f64);
-    let threads = rayon::current_num_threads() as f64;
-    let each = 1e6 * seconds * threads / points.max(1) as f64;
-    let values = [
-        subject.name().to_string(),
-        points.to_string(),
-        mean(global.boxes.0),
-        global.boxes.1.to_string(),
-        mean(global.steps.0),
-        global.steps.1.to_string(),
-        format!("{each:.0}"),
-    ];
-    let verdicts = global.verdicts.iter().map(u64::to_string);
-    values.into_iter().chain(verdicts).map(Cell::new).collect()
+    table
 }

@@ -41,7 +41,8 @@ pub const UNITS: f64 = 1e-11;
 /// sum over the nodes, several sizes from the origin.
 pub const FOOT: f64 = 1e-12;
 
-/// r·r_,i at a free foot, relative to |r_,i| times the size: flat minima leave the root of the rounding of r·r.
+/// r·r_,i at a foot, relative to the larger of |r_,i| and √F_ii times the size: flat minima leave the root of the
+/// rounding of r·r, which is √F_ii times a distance in the slope.
 pub const STATIONARY: f64 = 1e-7;
 
 /// K − Kᵀ of symmetric elements: the same products summed in another order.

@@ -1,227 +1,214 @@
-//! Global projection of random points and curves onto strongly deformed geometries, against the nearest of many
-//! projections from a regular grid.
+//! Projection of random points and curves onto strongly deformed geometries: globally, from the centre of the domain,
+//! and from the foot of a neighbouring state; every answer is judged by the oracle's positions alone.
+
+mod judge;
+mod local;
+mod states;
 
 use contact_elements::abi::{Projection, Query, code, project};
-use contact_elements::runtime::Domain;
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::Finding;
-use crate::configurations::{Configuration, Generator, Stream, Wanted};
-use crate::oracle::kinematics::Frame;
-use crate::oracle::projection::{self, Projection as Found};
-use crate::oracle::solve::search_window;
-use crate::oracle::vector::{dot, norm};
+use crate::configurations::Configuration;
 use crate::subject::Subject;
-use crate::tolerance::{FOOT, STATIONARY};
+use judge::Judge;
+pub use local::Local;
+use states::{States, neighbour};
 
-/// Points of the grid along each of one or two parameters, and how many of them are projected.
-const GRID: [usize; 2] = [400, 40];
-const REFINED: usize = 6;
-/// Largest shift of the slave and of single nodes, in sizes.
-const SHIFT: f64 = 1.5;
-const DEFORM: f64 = 0.5;
+/// How many of something were needed, over many projections.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Effort {
+    /// Projections.
+    pub count: u64,
+    /// All together.
+    pub sum: u64,
+    /// The worst projection.
+    pub most: u64,
+    /// Projections that needed at most three.
+    pub few: u64,
+}
+
+impl Effort {
+    fn add(&mut self, value: u64) {
+        self.count += 1;
+        self.sum += value;
+        self.most = self.most.max(value);
+        self.few += u64::from(value <= 3);
+    }
+
+    fn merge(&mut self, other: &Self) {
+        self.count += other.count;
+        self.sum += other.sum;
+        self.most = self.most.max(other.most);
+        self.few += other.few;
+    }
+
+    /// 0 without projections.
+    pub fn mean(&self) -> f64 {
+        self.sum as f64 / self.count.max(1) as f64
+    }
+}
 
 /// What was found for one element.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Global {
-    /// Contact points projected, by verdict: inside, held by the boundary, not unique, beyond, undecided.
+    /// Contact points projected globally, by verdict: inside, held by the boundary, not unique, beyond, undecided.
     pub verdicts: [u64; 5],
-    /// Boxes looked at: sum and most.
-    pub boxes: (u64, i32),
-    /// Newton steps: sum and most.
-    pub steps: (u64, i32),
-    /// States tried and failed.
+    /// The same by feature: 0 none, 1 to 4 an edge, 5 to 8 a vertex; ends of two curves as the interface numbers them.
+    pub features: [u64; 9],
+    /// Boxes looked at.
+    pub boxes: Effort,
+    /// Newton steps in them.
+    pub steps: Effort,
+    /// From the centre of the domain.
+    pub cold: Local,
+    /// From the closest point of a neighbouring state, where that is inside.
+    pub warm: Local,
+    /// Answers of the three, judged.
     pub finding: Finding,
 }
 
 impl Global {
-    fn merge(mut self, other: Self) -> Self {
-        for (verdict, count) in self.verdicts.iter_mut().zip(other.verdicts) {
-            *verdict += count;
-        }
-        self.boxes = (
-            self.boxes.0 + other.boxes.0,
-            self.boxes.1.max(other.boxes.1),
-        );
-        self.steps = (
-            self.steps.0 + other.steps.0,
-            self.steps.1.max(other.steps.1),
-        );
+    /// Both together.
+    pub fn merge(mut self, other: Self) -> Self {
+        add(&mut self.verdicts, &other.verdicts);
+        add(&mut self.features, &other.features);
+        self.boxes.merge(&other.boxes);
+        self.steps.merge(&other.steps);
+        self.cold.merge(&other.cold);
+        self.warm.merge(&other.warm);
         self.finding.merge(other.finding);
         self
     }
 }
 
-/// Tries `states` states; `None` where nothing is projected. `compared`: every how many-th is compared with the grid.
-pub fn prove(subject: &Subject, states: u64, compared: u64, seed: u64) -> Option<Global> {
+/// Adds counters.
+fn add(counters: &mut [u64], others: &[u64]) {
+    for (counter, other) in counters.iter_mut().zip(others) {
+        *counter += other;
+    }
+}
+
+/// How much is tried.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// The first family.
+    pub first: u64,
+    /// Families of states.
+    pub families: u64,
+    /// States of a family, disturbances of one random state: drawing that takes longer than most projections.
+    pub family: u64,
+    /// Every how many-th is compared with a grid.
+    pub compared: u64,
+    /// See [`crate::configurations::Generator`].
+    pub seed: u64,
+}
+
+/// Projects in many states; `None` where nothing is projected.
+pub fn prove(subject: &Subject, extent: Extent) -> Option<Global> {
     if subject.template.parameters() == 0 {
         return None;
     }
-    let generator = super::random::generator(subject, seed);
-    let one = |index: u64| one(subject, &generator, index, index.is_multiple_of(compared));
-    let all = (0..states).into_par_iter().map(one);
+    let states = States::new(subject, extent);
+    let family = |number: u64| {
+        let mut global = Global::default();
+        match states.family(number) {
+            Err(wrong) => global.finding.fail(wrong),
+            Ok(members) => {
+                for (index, configuration) in members {
+                    one(subject, &configuration, extent, index, &mut global);
+                }
+            }
+        }
+        global
+    };
+    let numbers = extent.first..extent.first + extent.families;
+    let all = numbers.into_par_iter().map(family);
     Some(all.reduce(Global::default, Global::merge))
 }
 
-fn one(subject: &Subject, generator: &Generator, index: u64, compared: bool) -> Global {
-    let mut global = Global::default();
-    let Some(configuration) = disturbed(generator, index) else {
-        global
-            .finding
-            .fail(format!("state {index} could not be made"));
-        return global;
-    };
-    let mut results = vec![Projection::default(); subject.description.descriptor.points];
-    let d = subject.description.descriptor.dimension;
+/// Projects in one state and beside it.
+fn one(
+    subject: &Subject,
+    configuration: &Configuration,
+    extent: Extent,
+    index: u64,
+    global: &mut Global,
+) {
+    let descriptor = subject.description.descriptor;
+    let mut results = vec![Projection::default(); descriptor.points];
+    let mut history = vec![0.0; descriptor.history()];
+    let outcome = project_all(subject, configuration, &mut results, &mut history);
+    if outcome != code::SUCCESS {
+        let failure = format!("state {index}: code {outcome}");
+        return global.finding.fail(failure);
+    }
+    let judge = Judge::new(subject, configuration, extent.seed, index);
+    let is_compared = index.is_multiple_of(extent.compared);
+    for (q, found) in results.iter().enumerate() {
+        count(global, found);
+        let wrong = judge.global(q, found, is_compared).err();
+        note(&mut global.finding, index, "global", q, wrong);
+    }
+    if subject.description.angle.is_some() {
+        // beyond its angles an evaluation says nothing of the projection
+        return;
+    }
+    let cold = local::evaluate(subject, configuration, &[]);
+    let all = |_: usize| true;
+    for (q, wrong) in global.cold.record(&judge, &cold, Some(&results), all) {
+        note(&mut global.finding, index, "cold", q, wrong);
+    }
+    let beside = neighbour(configuration, extent.seed, index);
+    let warm = local::evaluate(subject, &beside, &history);
+    let judge = Judge::new(subject, &beside, extent.seed, index);
+    let was_inside = |q: usize| results.get(q).is_some_and(|found| found.verdict == 0);
+    for (q, wrong) in global.warm.record(&judge, &warm, None, was_inside) {
+        note(&mut global.finding, index, "warm", q, wrong);
+    }
+}
+
+fn count(global: &mut Global, found: &Projection) {
+    let verdict = global.verdicts.get_mut(found.verdict as usize);
+    let feature = global.features.get_mut(found.feature as usize);
+    for counter in [verdict, feature].into_iter().flatten() {
+        *counter += 1;
+    }
+    global.boxes.add(found.boxes as u64);
+    global.steps.add(found.steps as u64);
+}
+
+fn note(finding: &mut Finding, index: u64, start: &str, q: usize, wrong: Option<String>) {
+    match wrong {
+        None => finding.pass(),
+        Some(wrong) => finding.fail(format!("state {index}, {start}, point {q}: {wrong}")),
+    }
+}
+
+/// The global projection through the interface; its code.
+fn project_all(
+    subject: &Subject,
+    configuration: &Configuration,
+    results: &mut [Projection],
+    history: &mut [f64],
+) -> i32 {
+    let descriptor = subject.description.descriptor;
     let mut x = configuration.reference.clone();
     let mut u = configuration.displacement.clone();
     for list in [&mut x, &mut u] {
-        list.extend(vec![0.0; d * subject.description.descriptor.multipliers()]);
+        let others = descriptor.dimension * descriptor.multipliers();
+        list.resize(list.len() + others, 0.0);
     }
-    let outcome = project(
-        subject.description.descriptor,
-        &Query {
-            x: &x,
-            u: &u,
-            parameters: &subject.parameters(&configuration.pair),
-            slave_row: &subject.slave_row(&configuration.pair),
-            reach: 0.0,
-        },
-        &mut results,
-        &mut [],
-    );
-    if outcome.code != code::SUCCESS {
-        global.finding.fail(format!("state {index}: {outcome:?}"));
-        return global;
-    }
-    for (q, found) in results.iter().enumerate() {
-        global.verdicts[found.verdict as usize] += 1;
-        global.boxes = (
-            global.boxes.0 + found.boxes as u64,
-            global.boxes.1.max(found.boxes),
-        );
-        global.steps = (
-            global.steps.0 + found.steps as u64,
-            global.steps.1.max(found.steps),
-        );
-        match judge(subject, &configuration, q, found, compared) {
-            Ok(()) => global.finding.pass(),
-            Err(wrong) => global
-                .finding
-                .fail(format!("state {index}, point {q}: {wrong}")),
-        }
-    }
-    global
-}
-
-/// A state with the slave anywhere and all nodes shifted by up to half the size.
-fn disturbed(generator: &Generator, index: u64) -> Option<Configuration> {
-    let mut configuration = generator.generate(Wanted::Open, index).ok()?;
-    let mut stream = Stream::new(index, 3, 44);
-    let pair = &configuration.pair;
-    let (d, size) = (pair.dimension, configuration.size);
-    let shift = stream.cube(SHIFT * size);
-    let nodes = pair.slave_nodes() + pair.master_nodes();
-    for node in 0..nodes {
-        let is_slave_position = node < pair.slave_nodes() && pair.slave_is_position(node);
-        let deform = stream.cube(DEFORM * size);
-        for k in 0..d {
-            let along = if is_slave_position { shift[k] } else { 0.0 };
-            configuration.displacement[node * d + k] += along + deform[k];
-        }
-    }
-    Some(configuration)
-}
-
-/// What is wrong with a result.
-fn judge(
-    subject: &Subject,
-    configuration: &Configuration,
-    q: usize,
-    found: &Projection,
-    compared: bool,
-) -> Result<(), String> {
-    let pair = &configuration.pair;
-    let frame = Frame::new(
-        pair,
-        q,
-        &configuration.reference,
-        &configuration.displacement,
-    );
-    if found.verdict > 2 {
-        return Err(format!("undecided: {found:?}"));
-    }
-    let region = pair.region();
-    let p = pair.parameters();
-    for i in 0..p {
-        if let Some([low, high]) = region.bounds[i]
-            && !(low..=high).contains(&found.zeta[i])
-        {
-            return Err(format!("outside the domain: {found:?}"));
-        }
-    }
-    let relative = frame.relative(&frame.nodes, found.zeta);
-    let distance = norm(relative.position);
-    if (distance - found.distance).abs() > FOOT * frame.size {
-        return Err(format!(
-            "the distance at the foot is {distance:e}: {found:?}"
-        ));
-    }
-    for i in 0..p {
-        let slope = dot(relative.position, relative.tangents[i]);
-        let scale = norm(relative.tangents[i]) * (distance + frame.size);
-        if found.verdict == 0 && slope.abs() > STATIONARY * scale {
-            return Err(format!("not stationary, {:.1e}: {found:?}", slope / scale));
-        }
-    }
-    if compared {
-        let nearest = nearest(&frame, &subject.description.descriptor.domains);
-        if distance > nearest + FOOT * frame.size {
-            return Err(format!("a nearer point is {nearest:e} away: {found:?}"));
-        }
-    }
-    Ok(())
-}
-
-/// The least distance of a regular grid of points and of the projections from the nearest of them. Half-bounded
-/// `domains` are known to the declaration alone.
-fn nearest(frame: &Frame<'_>, domains: &[Domain; 2]) -> f64 {
-    let window = search_window(frame.pair);
-    let region = frame.pair.region();
-    let count = GRID[frame.parameters - 1];
-    let at = |i: usize, k: usize| {
-        let [low, high] = window[i];
-        low + (high - low) * k as f64 / (count - 1) as f64
+    let query = Query {
+        x: &x,
+        u: &u,
+        parameters: &subject.parameters(&configuration.pair),
+        slave_row: &subject.slave_row(&configuration.pair),
+        reach: 0.0,
     };
-    let distance = |z: [f64; 2]| norm(frame.relative(&frame.nodes, z).position);
-    let mut samples = Vec::new();
-    for first in 0..count {
-        for last in 0..if frame.parameters == 2 { count } else { 1 } {
-            let z = [
-                at(0, first),
-                if frame.parameters == 2 {
-                    at(1, last)
-                } else {
-                    0.0
-                },
-            ];
-            if !region.triangle || z[0] + z[1] <= 1.0 {
-                samples.push((distance(z), z));
-            }
-        }
-    }
-    samples.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut least = samples.first().map_or(f64::INFINITY, |best| best.0);
-    for (_, z) in samples.into_iter().take(REFINED) {
-        let foot = match projection::project(frame, z) {
-            Found::Inside(root) => root.z,
-            Found::Outside { z, .. } => z,
-            _ => continue,
-        };
-        if frame.pair.slave_parameters() == 1 || domains[0].feature(foot, 1e-9) == 0 {
-            least = least.min(distance(foot));
-        }
-    }
-    least
+    project(descriptor, &query, results, history).code
 }
+
+#[cfg(test)]
+mod tests;

@@ -195,6 +195,11 @@ mod _element_pointpoint2d {
                 enforcement: runtime::Enforcement::Penalty,
                 rolling: false,
                 angle: None,
+                keeps_side: <PointPoint2d as runtime::Element<
+                    2usize,
+                    0usize,
+                    0usize,
+                >>::KEEPS_SIDE,
                 symmetric: true,
                 tangent: true,
                 energy: false

@@ -81,7 +81,12 @@ fn descend<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         if taken > SMALL_STEP {
             continue;
         }
+        let before = held;
         let held = self::held::<E, D, P, H>(zeta, &vectors, extent);
+        // a bound met on the way took its part of the step away: what is left has not been followed yet
+        if held.side != before.side || held.diagonal != before.diagonal {
+            continue;
+        }
         if held.count > 0 {
             let feature = beyond::<E, D, P, H>(zeta, &held, extent);
             return Ok(Projected {

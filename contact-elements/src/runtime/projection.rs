@@ -207,15 +207,16 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         let may_stagnate = !is_affine && iteration > 2 && size > 0.25 * previous;
         let stagnates = may_stagnate && are_rounding(&slopes, &metric, x);
         let is_finished = finished(E::SEARCH, iteration, size, previous, is_sharp);
+        // whatever the search ends at there, no history could hold it
+        if abs(zeta[0]) > 1e6 * extent[0] || abs(zeta[P - 1]) > 1e6 * extent[P - 1] {
+            break;
+        }
         if stagnates || is_finished {
             return Ok(Found {
                 is_checked: is_finished && !is_delicate,
                 vectors: multilinear
                     .then(|| displaced::<E, D, P, H, f64>(&at_centre, &centre, zeta)),
             });
-        }
-        if abs(zeta[0]) > 1e6 * extent[0] || abs(zeta[P - 1]) > 1e6 * extent[P - 1] {
-            break;
         }
         previous = size;
     }

@@ -96,15 +96,20 @@ fn newton(sides: &Sides<'_>, start: [f64; 2], within: &Box) -> ([f64; 2], u32) {
     let mut zeta = start;
     let mut local = sides.at(&zeta);
     for step in 1..=MOST_STEPS {
-        let (slopes, free) = free(&local, &zeta, within);
-        let change = direction(&local, &slopes, free);
+        let (slopes, are_free) = free(&local, &zeta, within);
+        let change = direction(&local, &slopes, are_free);
+        let is_clipped = (0..2).any(|i| {
+            let i = i.min(1);
+            let next = zeta[i] + change[i];
+            next < within.lower[i] || next > within.upper[i]
+        });
         if advance(sides, &mut zeta, &mut local, &change, within) {
             continue;
         }
         // a side takes its part of Newton's step away, and what is left of it may lead upwards
-        let (slopes, free) = self::free(&local, &zeta, within);
-        let change = alone(&local, &slopes, free);
-        if !advance(sides, &mut zeta, &mut local, &change, within) {
+        let (slopes, are_free) = free(&local, &zeta, within);
+        let change = alone(&local, &slopes, are_free);
+        if !is_clipped || !advance(sides, &mut zeta, &mut local, &change, within) {
             return (zeta, step);
         }
     }

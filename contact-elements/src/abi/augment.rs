@@ -12,7 +12,8 @@ fn check(element: &Descriptor, history: &[f64], name: i32) -> Result<(), Fault> 
         return Err((code::NOT_FINITE, name, entry));
     }
     let (size, p) = (element.point_history(), element.projected);
-    let sides = element.side_history()..size - 1; // empty but for edges
+    let layout = element.history_layout();
+    let sides = layout.side_at()..layout.side_at() + layout.side;
     for (number, own) in history.chunks(size.max(1)).enumerate() {
         if let Some(entry) = element.impossible_side(own) {
             return Err((code::HISTORY, name, number * size + entry));

@@ -33,7 +33,7 @@ pub unsafe fn element_batch_workspace(element: *const Descriptor, nslave: i32) -
 /// the shapes that the header gives, or is null.
 pub unsafe fn element_evaluate_batch(element: *const Descriptor, n: i64, batch: *mut Batch) -> i32 {
     // SAFETY: promised by the caller.
-    unsafe { element_evaluate_batch_in(element, n, batch, Width::widest()) }
+    unsafe { element_evaluate_batch_in(element, n, batch, Width::chosen()) }
 }
 
 /// [`element_evaluate_batch`] with at most so many lanes.
@@ -341,11 +341,7 @@ impl<'a> Checked<'a> {
         let points = self.element.points;
         Target {
             unknowns,
-            projected: self.element.projected,
-            friction: self.element.friction,
-            augmented: self.element.is_augmented(),
-            rolling: self.element.rolling,
-            keeps_side: self.element.keeps_side,
+            history_layout: self.element.history_layout(),
             f: at(request::RESIDUAL, batch.f, self.f_stride),
             k: at(request::TANGENT, batch.k, self.k_stride),
             row_stride: unknowns,

@@ -337,11 +337,7 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
     };
     Ok(Target {
         unknowns,
-        projected: element.projected,
-        friction: element.friction,
-        augmented: element.is_augmented(),
-        rolling: element.rolling,
-        keeps_side: element.keeps_side,
+        history_layout: element.history_layout(),
         f: if_wanted(request::RESIDUAL, arguments.f),
         k: if_wanted(request::TANGENT, arguments.k),
         row_stride,

@@ -40,8 +40,8 @@ pub use types::{ApiTable, Arguments, Batch, Info};
 
 use crate::program::{MasterDescription, SlaveDescription};
 use crate::runtime::{
-    Call, Domain, Enforcement, InputError, Layout, Nodes, Summary, Width, can_be_anchor,
-    can_be_projection, is_side,
+    Call, Domain, Enforcement, HistoryLayout, InputError, Layout, Nodes, Summary, Width,
+    can_be_anchor, can_be_projection, is_side,
 };
 
 /// Version of the interface: major << 16 | minor.
@@ -49,12 +49,6 @@ pub const VERSION: u32 = 1 << 16;
 
 /// Doubles of output per contact point.
 pub const OUTPUT_SIZE: usize = 23;
-
-/// Doubles that rolling adds to the history of a contact point.
-pub(crate) const ROLLING_HISTORY: usize = 5;
-
-/// Doubles that edges add to the history of a contact point.
-pub(crate) const SIDE_HISTORY: usize = 3;
 
 /// The compiled kernel of an element.
 pub type Kernel = fn(&Call<'_>, &Nodes<'_>, &mut [f64], &mut Target) -> Result<Summary, InputError>;
@@ -152,32 +146,33 @@ pub struct Descriptor {
 }
 
 impl Descriptor {
-    /// Doubles of history of one contact point: status and projected parameters; with friction the anchor and
-    /// the slip path too; with rolling the anchors and paths of both angles and the regime; the normal of edges; a
-    /// multiplier of the history last.
-    pub fn point_history(&self) -> usize {
-        let side = if self.keeps_side { SIDE_HISTORY } else { 0 };
-        self.side_history() + side + usize::from(self.is_augmented())
+    /// The history of one contact point.
+    pub(crate) const fn history_layout(&self) -> HistoryLayout {
+        HistoryLayout::new(
+            self.projected,
+            self.friction,
+            self.rolling,
+            self.keeps_side,
+            self.is_augmented(),
+        )
     }
 
-    /// Where the normal of edges stands in the history of a contact point.
-    pub(crate) fn side_history(&self) -> usize {
-        let friction = if self.friction { self.projected + 1 } else { 0 };
-        let rolling = if self.rolling { ROLLING_HISTORY } else { 0 };
-        1 + self.projected + friction + rolling
+    /// Doubles of history of one contact point.
+    pub fn point_history(&self) -> usize {
+        self.history_layout().size()
     }
 
     /// The first entry of a side in a point's history that is none.
     pub(crate) fn impossible_side(&self, history: &[f64]) -> Option<usize> {
-        let at = self.side_history();
+        let at = self.history_layout().side_at();
         let normal = history.get(at..).and_then(<[f64]>::first_chunk);
         let is_possible = !self.keeps_side || normal.is_none_or(is_side);
         (!is_possible).then_some(at)
     }
 
     /// True where the history carries a multiplier.
-    pub fn is_augmented(&self) -> bool {
-        self.enforcement == Enforcement::Augmented
+    pub const fn is_augmented(&self) -> bool {
+        matches!(self.enforcement, Enforcement::Augmented)
     }
 
     /// False for an anchor that lies far outside the domain of parameter `i`.

@@ -2,22 +2,15 @@
 
 use core::cell::Cell;
 
-use super::{OUTPUT_SIZE, ROLLING_HISTORY, SIDE_HISTORY};
-use crate::runtime::{Receiver, Report};
+use super::OUTPUT_SIZE;
+use crate::runtime::{HistoryLayout, Receiver, Report};
 
 /// Outputs of one element. Null pointers are outputs that nobody asked for.
 #[derive(Debug)]
 pub struct Target {
     pub(super) unknowns: usize,
-    pub(super) projected: usize,
-    /// True where the history holds anchor and slip path.
-    pub(super) friction: bool,
-    /// True where the history holds a multiplier.
-    pub(super) augmented: bool,
-    /// True where it also holds anchors, paths and regime of rolling.
-    pub(super) rolling: bool,
-    /// True where it also holds the normal.
-    pub(super) keeps_side: bool,
+    /// The history of a point.
+    pub(super) history_layout: HistoryLayout,
     pub(super) f: *mut f64,
     pub(super) k: *mut f64,
     pub(super) row_stride: usize,
@@ -100,26 +93,23 @@ impl Target {
     /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too; with
     /// rolling the anchors and paths of both angles and the regime; of edges the normal; a multiplier last.
     fn new_history(&mut self, point: usize, report: &Report) {
-        let p = self.projected;
-        let friction = if self.friction { p + 1 } else { 0 };
-        let angles = if self.rolling { ROLLING_HISTORY } else { 0 };
-        let side = if self.keeps_side { SIDE_HISTORY } else { 0 };
-        let size = 1 + p + friction + angles + side + usize::from(self.augmented);
+        let layout = self.history_layout;
+        let size = layout.size();
         let rolling = &report.rolling;
         // SAFETY: the history has `size` entries per point.
         let entries = unsafe { core::slice::from_raw_parts(self.history.add(point * size), size) };
         let status = [f64::from(report.status as i32)];
-        let zeta = report.zeta.iter().take(p);
-        let anchor = report.anchor.iter().take(p);
-        let slid = anchor.chain([&report.path]).take(friction);
+        let zeta = report.zeta.iter().take(layout.projected);
+        let anchor = report.anchor.iter().take(layout.projected);
+        let slid = anchor.chain([&report.path]).take(layout.slip);
         let rolled = rolling.anchor.iter().chain(&rolling.path);
         let rolled = rolled.chain([&rolling.regime]);
         let values = status
             .iter()
             .chain(zeta)
             .chain(slid)
-            .chain(rolled.take(angles))
-            .chain(report.normal.iter().take(side))
+            .chain(rolled.take(layout.rolling))
+            .chain(report.normal.iter().take(layout.side))
             .chain([&report.multiplier]);
         for (entry, &value) in entries.iter().zip(values) {
             entry.set(value);

@@ -3,9 +3,11 @@
 use super::describe::write;
 use super::safe::Outcome;
 use super::sizes::{Fault, reported};
-use super::{Descriptor, OUTPUT_SIZE, ROLLING_HISTORY, SIDE_HISTORY, argument, code};
+use super::{Descriptor, OUTPUT_SIZE, argument, code};
 use crate::arithmetic::abs;
-use crate::runtime::{Status, TangentPlane, dot, is_remembered, is_status, is_usable};
+use crate::runtime::{
+    HistoryLayout, Status, TangentPlane, dot, is_remembered, is_status, is_usable,
+};
 
 /// Entries of the output that are read.
 const PROJECTION: usize = 4;
@@ -15,7 +17,7 @@ const TANGENTS: usize = 13;
 /// come from an evaluation of the accepted state anew.
 const APART: f64 = 1e-6;
 /// Most entries of a point's history.
-const ROOM: usize = 7 + ROLLING_HISTORY + SIDE_HISTORY;
+const ROOM: usize = HistoryLayout::new(2, true, true, true, true).size();
 
 /// One contact point of an element: its output, and its history that belongs to it.
 #[derive(Clone, Copy)]
@@ -80,11 +82,7 @@ impl<'a> Place<'a> {
         if self.element.is_augmented() && self.entry(last) > 0.0 {
             return Err((code::HISTORY, history, last));
         }
-        let angles = if self.element.rolling {
-            ROLLING_HISTORY
-        } else {
-            0
-        };
+        let angles = self.element.history_layout().rolling;
         let rolling = self.history.iter().enumerate().skip(2 + 2 * p);
         for (entry, &value) in rolling.take(angles) {
             if !is_remembered(entry - 2 - 2 * p, value) {
@@ -184,19 +182,10 @@ fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Faul
     let path = Some(from.entry(1 + 2 * p)).filter(|_| to.element.friction);
     // angles are about the curves: they go along as they are
     let angles = if from.element.rolling { from } else { to };
-    let rolling = if to.element.rolling {
-        ROLLING_HISTORY
-    } else {
-        0
-    };
-    let rolled = (0..rolling).map(|entry| angles.entry(2 + 2 * p + entry));
-    let at = from.element.side_history();
-    let sides = if to.element.keeps_side {
-        SIDE_HISTORY
-    } else {
-        0
-    };
-    let side = (0..sides).map(|entry| from.entry(at + entry));
+    let layout = to.element.history_layout();
+    let rolled = (0..layout.rolling).map(|entry| angles.entry(2 + 2 * p + entry));
+    let at = from.element.history_layout().side_at();
+    let side = (0..layout.side).map(|entry| from.entry(at + entry));
     let multiplier = from.history.last().copied();
     let values = [from.entry(0)]
         .into_iter()

@@ -3,11 +3,11 @@
 use super::angle::{AngleCoefficients, AngleForm, Blend};
 use super::enforcement::Enforcement;
 use super::friction::{Tangential, TangentialLaw};
+use super::history::HistoryLayout;
 use super::motion::{RollingCoefficients, RollingForce};
 use super::real::Real;
-use super::rolling::{self, Rolling, RollingAngles, RollingLayout};
+use super::rolling::{Rolling, RollingAngles, RollingLayout};
 use super::shape::{Domain, NormalLaw, Traction};
-use super::side;
 use super::tangential::{TangentialCoefficients, TangentialForce};
 use super::values::{Coefficients, Frame, Gap, Measure, Rows, Status, Vectors};
 use crate::arithmetic::abs;
@@ -97,21 +97,17 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     /// True where the contact is weighted by the angle of two curves.
     const ANGLE: bool = false;
 
-    /// Doubles of history per contact point: status and ζ; with friction the anchor and the slip path too; with
-    /// rolling what [`Rolling`] remembers; the normal of edges; a multiplier of the history last.
-    const HISTORY: usize = Self::SIDE
-        + if Self::KEEPS_SIDE { side::HISTORY } else { 0 }
-        + if Self::AUGMENTED { 1 } else { 0 };
+    /// The history of a contact point.
+    const HISTORY_LAYOUT: HistoryLayout = HistoryLayout::new(
+        P,
+        Self::Tangential::ACTIVE,
+        Self::ROLLING.is_some(),
+        Self::KEEPS_SIDE,
+        Self::AUGMENTED,
+    );
 
-    /// Where the normal of edges stands in the history.
-    const SIDE: usize = 1
-        + P
-        + if Self::Tangential::ACTIVE { P + 1 } else { 0 }
-        + if Self::ROLLING.is_some() {
-            rolling::HISTORY
-        } else {
-            0
-        };
+    /// Doubles of history per contact point.
+    const HISTORY: usize = Self::HISTORY_LAYOUT.size();
 
     /// True for edges of solids, whose side the history keeps.
     const KEEPS_SIDE: bool = Self::SIGNED && Self::TWO_CURVES;

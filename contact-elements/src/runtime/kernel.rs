@@ -7,7 +7,7 @@ use super::driver::{Call, Failure, Receiver, Stage, Summary, evaluate};
 use super::element::Element;
 use super::friction::TangentialLaw;
 use super::gather::{Nodes, gather, is_usable, multipliers, shift_of_row};
-use super::rolling::{self, is_remembered};
+use super::rolling::is_remembered;
 use super::side::{is_side, is_side_given};
 use super::tangential::{MOST_COLUMNS, TangentialRows};
 use super::values::{Rows, Status};
@@ -110,8 +110,12 @@ fn check_point<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
             return Err(1 + i);
         }
     }
-    if E::KEEPS_SIDE && !is_side(&core::array::from_fn(|k| at(E::SIDE + k))) {
-        return Err(E::SIDE);
+    if E::KEEPS_SIDE
+        && !is_side(&core::array::from_fn(|k| {
+            at(E::HISTORY_LAYOUT.side_at() + k)
+        }))
+    {
+        return Err(E::HISTORY_LAYOUT.side_at());
     }
     if !E::Tangential::ACTIVE && !E::AUGMENTED {
         return Ok(());
@@ -128,12 +132,7 @@ fn check_point<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
         if at(1 + 2 * P) < 0.0 {
             return Err(1 + 2 * P);
         }
-        let angles = if E::ROLLING.is_some() {
-            rolling::HISTORY
-        } else {
-            0
-        };
-        for entry in 0..angles {
+        for entry in 0..E::HISTORY_LAYOUT.rolling {
             if !is_remembered(entry, at(2 + 2 * P + entry)) {
                 return Err(2 + 2 * P + entry);
             }

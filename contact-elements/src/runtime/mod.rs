@@ -20,6 +20,7 @@ mod enforcement;
 mod extent;
 mod friction;
 mod gather;
+mod history;
 mod kernel;
 mod kinematics;
 mod lanes;
@@ -47,6 +48,7 @@ pub use enforcement::Enforcement;
 pub use friction::{Friction, Frictionless, Tangential, TangentialLaw, return_map};
 pub(crate) use gather::is_usable;
 pub use gather::{Coordinates, Nodes};
+pub use history::HistoryLayout;
 pub use kernel::{InputError, fixed, interpolated, workspace};
 pub(crate) use kernel::{can_be_anchor, can_be_projection, is_status};
 pub use kinematics::{

@@ -19,9 +19,6 @@ use super::sliding::Sliding;
 use super::values::Status;
 use crate::arithmetic::abs;
 
-/// Doubles that a point remembers: φ0_1, φ0_2, both paths, which curves roll.
-pub(super) const HISTORY: usize = crate::abi::ROLLING_HISTORY;
-
 /// Least |w_⊥|²/|w|² of a reference direction: below it, it points along the curve.
 const LEAST_SHARE: f64 = 1e-20;
 /// Least angle by which the principal normal's curve turns over its length: below it, it is straight.

@@ -8,8 +8,6 @@ use super::element::Element;
 use super::values::{Status, Vectors, dot};
 use crate::arithmetic::abs;
 
-/// Entries of a point's history: the unit normal.
-pub(super) const HISTORY: usize = crate::abi::SIDE_HISTORY;
 /// Least cosine between the normals of two accepted states: the sides of edges that turn further are undecided.
 const LEAST_COSINE: f64 = 0.1;
 /// Most that the squared length of a remembered normal differs from 1.
@@ -39,7 +37,7 @@ pub(super) fn side<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         return Ok(apart);
     }
     let remembered: [f64; D] = core::array::from_fn(|k| {
-        let entry = history.and_then(|history| history.get(E::SIDE + k));
+        let entry = history.and_then(|history| history.get(E::HISTORY_LAYOUT.side_at() + k));
         entry.map_or(0.0, Cell::get)
     });
     if remembered != [0.0; D] {

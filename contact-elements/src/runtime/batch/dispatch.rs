@@ -44,6 +44,14 @@ impl Width {
     }
 }
 
+impl Width {
+    /// What a batch runs in where nobody says otherwise: eight lanes only on demand, since their instructions have been
+    /// compiled but run on no processor yet.
+    pub fn chosen() -> Self {
+        Self::widest().min(Width::Four)
+    }
+}
+
 #[cfg(target_arch = "x86_64")]
 #[cold]
 fn asked() -> Width {

@@ -8,13 +8,15 @@
 //! | `block` | where the values of some contacts stand |
 //! | `inputs` | what do the host's arrays hold |
 //! | `newton` | where is the projection |
-//! | `point` | open, outside, closed or to be evaluated alone; coefficients of the closed ones |
+//! | `point` | open, outside, closed or to be evaluated alone |
+//! | `closed` | law and coefficients of the closed ones |
 //! | `outputs` | what reaches the receiver, in the order of the contacts |
 //!
 //! Each lane has the bits of the scalar evaluation: the same operations in the same order, none fused. What leaves
 //! the common path is evaluated alone, by the kernel of one contact.
 
 mod block;
+mod closed;
 mod dispatch;
 mod inputs;
 mod newton;
@@ -97,7 +99,7 @@ fn evaluate<
         for group in (0..length).step_by(T::WIDTH) {
             point::classify::<E, T, D, P, H, N>(&mut block, group, &wanted);
         }
-        point::load::<E, T, D, P, H, N>(&mut block, &mut records, &wanted);
+        closed::load::<E, T, D, P, H, N>(&mut block, &mut records, &wanted);
         T::write::<C, D, P, N>(&block.points::<E>(), contacts, place, &records);
         first += length;
     }

@@ -207,8 +207,10 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         let may_stagnate = !is_affine && iteration > 2 && size > 0.25 * previous;
         let stagnates = may_stagnate && are_rounding(&slopes, &metric, x);
         let is_finished = finished(E::SEARCH, iteration, size, previous, is_sharp);
-        // whatever the search ends at there, no history could hold it
-        if abs(zeta[0]) > 1e6 * extent[0] || abs(zeta[P - 1]) > 1e6 * extent[P - 1] {
+        // whatever the search ends at there, no history could hold it; a first solve of an affine pair whose tangents
+        // are nearly parallel may still come back
+        let is_lost = abs(zeta[0]) > 1e6 * extent[0] || abs(zeta[P - 1]) > 1e6 * extent[P - 1];
+        if is_lost && (is_finished || !is_affine) {
             break;
         }
         if stagnates || is_finished {

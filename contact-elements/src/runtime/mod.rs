@@ -31,6 +31,7 @@ mod projection;
 mod real;
 mod receiver;
 mod rolling;
+mod rows;
 mod shape;
 mod side;
 mod sliding;

@@ -302,7 +302,7 @@ mod tests {
         let [low, high] = ends;
         let found = range(Interval::between(low, high));
         for k in 0..=1000 {
-            let x = low + (high - low) * f64::from(k) / 1000.0;
+            let x = (low + (high - low) * f64::from(k) / 1000.0).min(high);
             let value = function(x);
             assert!(
                 found.lower <= value && value <= found.upper,

@@ -35,7 +35,9 @@ use super::gather::Nodes;
 use super::receiver::{Receiver, Wanted};
 use super::values::Status;
 use block::{Block, ROOM, Records};
-pub(super) use wide::Wide;
+pub(super) use wide::{Quad, Wide};
+#[cfg(target_arch = "x86_64")]
+pub(super) use x86::Four;
 
 /// The contacts of a batch, as its kernel sees them.
 pub trait Contacts {

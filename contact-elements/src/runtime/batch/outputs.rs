@@ -4,10 +4,11 @@
 
 use super::Contacts;
 use super::block::{MOST_UNKNOWNS, Points, ROOM, Records, VECTORS};
-use super::wide::{Quad, Wide};
+use super::wide::Wide;
 use crate::runtime::enforcement::remembered;
 use crate::runtime::receiver::{Receiver, Report};
 use crate::runtime::rolling::Rolling;
+use crate::runtime::rows::{self, Factors, NodeShare};
 use crate::runtime::values::Status;
 
 /// Length of a row with room for whole lanes.
@@ -101,9 +102,23 @@ fn tangent<R: Receiver, T: Wide, const D: usize, const P: usize, const N: usize>
     scratch: &mut Scratch<D, P, N>,
     receiver: &mut R,
 ) {
-    factors::<T::Quad, D, P, N>(nodes, vectors, scratch);
-    let n = core::array::from_fn(|k| vectors[0][k]);
     let Scratch { u, g, matrix } = scratch;
+    rows::fill::<T::Quad, D, P>(
+        nodes.iter().map(|own| NodeShare {
+            s: own[0],
+            right: core::array::from_fn(|k| own[3 + k]),
+            turn: core::array::from_fn(|j| own[6 + j]),
+        }),
+        vectors[0],
+        (
+            core::array::from_fn(|k| vectors[1 + k]),
+            core::array::from_fn(|j| vectors[1 + D + j]),
+        ),
+        (
+            u.each_mut().map(|row| row.as_mut_slice()),
+            g.each_mut().map(|row| row.as_mut_slice()),
+        ),
+    );
     let matrix = matrix
         .as_flattened_mut()
         .as_flattened_mut()
@@ -116,83 +131,19 @@ fn tangent<R: Receiver, T: Wide, const D: usize, const P: usize, const N: usize>
         }
         None => &mut *matrix,
     };
-    rows::<T, D, P, N>(nodes, &n, (u, g), to);
+    let factors = Factors {
+        u: u.each_ref().map(|row| row.as_slice()),
+        g: g.each_ref().map(|row| row.as_slice()),
+    };
+    let n = core::array::from_fn(|k| vectors[0][k]);
+    let nodes = nodes
+        .iter()
+        .map(|own| (own[0], core::array::from_fn(|j| own[1 + j])));
+    rows::write::<T, D, P>(nodes, &n, &factors, to, true);
     if !is_written {
         for (unknown, row) in matrix.chunks_exact(N * D).enumerate() {
             receiver.row(unknown, row, true);
         }
-    }
-}
-
-/// u_k and g_j of [`contract`](crate::runtime::contract), node after node.
-#[inline(always)]
-fn factors<Q: Quad, const D: usize, const P: usize, const N: usize>(
-    nodes: &[[f64; 8]; N],
-    vectors: &[[f64; 4]; VECTORS],
-    scratch: &mut Scratch<D, P, N>,
-) {
-    let n = Q::new(vectors[0]);
-    let p: [Q; D] = core::array::from_fn(|k| Q::new(vectors[1 + k]));
-    let left: [Q; P] = core::array::from_fn(|j| Q::new(vectors[1 + D + j]));
-    for (b, own) in nodes.iter().enumerate() {
-        let s = Q::same(own[0]);
-        for k in 0..D {
-            let value = s * p[k] + Q::same(own[3 + k]) * n;
-            value.store(scratch.u[k].get_mut(b * D..).unwrap_or(&mut []));
-        }
-        for j in 0..P {
-            let value = s * left[j] + Q::same(own[6 + j]) * n;
-            value.store(scratch.g[j].get_mut(b * D..).unwrap_or(&mut []));
-        }
-    }
-}
-
-/// All rows, the three of a node at once, the last columns first: lanes beyond the end of a row fall on the
-/// beginning of the next, which is written later.
-#[inline(always)]
-fn rows<T: Wide, const D: usize, const P: usize, const N: usize>(
-    nodes: &[[f64; 8]; N],
-    n: &[f64; D],
-    (u, g): (&[[f64; ROW]; D], &[[f64; ROW]; P]),
-    to: &mut [f64],
-) {
-    let unknowns = N * D;
-    if to.len() != unknowns * unknowns || unknowns < T::WIDTH {
-        return;
-    }
-    let n = n.map(T::constant);
-    for (a, own) in nodes.iter().enumerate() {
-        let s = T::constant(own[0]);
-        let factors: [T; P] = core::array::from_fn(|j| T::constant(own[1 + j]));
-        for column in (0..unknowns).step_by(T::WIDTH).rev() {
-            let lanes = |row: &[f64; ROW]| T::load(row.get(column..).unwrap_or(&[]));
-            let mut h = factors[0] * lanes(&g[0]);
-            for j in 1..P {
-                h = h + factors[j] * lanes(&g[j]);
-            }
-            for k in 0..D {
-                let value = s * lanes(&u[k]) + n[k] * h;
-                let at = (a * D + k) * unknowns + column;
-                if a + 1 < N || k + 1 < D || column + T::WIDTH <= unknowns {
-                    debug_assert!(at + T::WIDTH <= to.len());
-                    // SAFETY: `to` has a row per unknown, each at least as long as the lanes; this is not the last
-                    // row, or the lanes end within it.
-                    unsafe { value.store_at(to.as_mut_ptr().add(at)) }
-                } else {
-                    put_some(value, to.get_mut(at..).unwrap_or(&mut []));
-                }
-            }
-        }
-    }
-}
-
-/// To the first places, as many as there are.
-#[inline(always)]
-fn put_some<T: Wide>(value: T, to: &mut [f64]) {
-    let mut values = [0.0; 8];
-    value.store(&mut values);
-    for (to, value) in to.iter_mut().zip(values) {
-        *to = value;
     }
 }
 

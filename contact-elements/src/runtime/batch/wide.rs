@@ -44,6 +44,11 @@ pub trait Wide: Real {
     fn load(from: &[f64]) -> Self;
     /// To the first places; nothing where there are too few.
     fn store(self, to: &mut [f64]);
+    /// The numbers from `from` on.
+    ///
+    /// # Safety
+    /// There are as many numbers as there are lanes.
+    unsafe fn load_at(from: *const f64) -> Self;
     /// To `to`.
     ///
     /// # Safety

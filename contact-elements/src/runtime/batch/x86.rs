@@ -110,6 +110,10 @@ impl Wide for Four {
         }
     }
     #[inline(always)]
+    unsafe fn load_at(from: *const f64) -> Self {
+        Self(lanes!(_mm256_loadu_pd(from)))
+    }
+    #[inline(always)]
     unsafe fn store_at(self, to: *mut f64) {
         lanes!(_mm256_storeu_pd(to, self.0))
     }
@@ -318,6 +322,10 @@ impl Wide for Eight {
         if let Some(to) = to.first_chunk_mut::<8>() {
             lanes!(_mm512_storeu_pd(to.as_mut_ptr(), self.0))
         }
+    }
+    #[inline(always)]
+    unsafe fn load_at(from: *const f64) -> Self {
+        Self(lanes!(_mm512_loadu_pd(from)))
     }
     #[inline(always)]
     unsafe fn store_at(self, to: *mut f64) {

@@ -86,7 +86,7 @@ pub(super) fn write<T: Wide, const D: usize, const P: usize>(
     } else {
         unknowns - unknowns % T::WIDTH
     };
-    for ((s, ds), rows) in nodes.zip(to.chunks_exact_mut(D * unknowns)) {
+    for ((s, ds), rows) in nodes.zip(to.chunks_exact_mut((D * unknowns).max(1))) {
         let turns = ds.map(T::constant);
         let s_lanes = T::constant(s);
         for column in (0..whole).step_by(T::WIDTH) {
@@ -139,7 +139,8 @@ fn add_rest<const D: usize, const P: usize>(
     (rows, whole): (&mut [f64], usize),
 ) {
     let unknowns = rows.len() / D;
-    for (k, row) in rows.chunks_exact_mut(unknowns).enumerate() {
+    let rows = rows.chunks_exact_mut(unknowns.max(1));
+    for ((row, u), n) in rows.zip(factors.u).zip(n) {
         for (column, entry) in row.iter_mut().enumerate().skip(whole) {
             let at = |row: &[f64]| row.get(column).copied().unwrap_or(0.0);
             let mut along = 0.0;
@@ -147,9 +148,9 @@ fn add_rest<const D: usize, const P: usize>(
                 let term = ds[j] * at(factors.g[j]);
                 along = if j == 0 { term } else { along + term };
             }
-            let mut value = s * at(factors.u[k]);
+            let mut value = s * at(u);
             if P > 0 {
-                value += n[k] * along;
+                value += n * along;
             }
             *entry += value;
         }
@@ -184,19 +185,19 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
         let slope = |j: usize, a: usize| self.ds[j].get(a).copied().unwrap_or(0.0);
         let nodes = self.s.iter().enumerate();
         let shares = nodes.clone().map(|(b, &s)| {
-            let sum = |factor: &dyn Fn(usize) -> f64| {
-                let mut sum = 0.0;
-                for j in 0..P {
-                    let term = slope(j, b) * factor(j);
-                    sum = if j == 0 { term } else { sum + term };
+            let (mut right, mut turn) = ([0.0; D], [0.0; P]);
+            for j in 0..P {
+                let slope = slope(j, b);
+                for k in 0..D {
+                    let term = slope * self.right[j][k];
+                    right[k] = if j == 0 { term } else { right[k] + term };
                 }
-                sum
-            };
-            NodeShare {
-                s,
-                right: core::array::from_fn(|k| sum(&|j| self.right[j][k])),
-                turn: core::array::from_fn(|i| sum(&|j| self.turn[i][j])),
+                for i in 0..P {
+                    let term = slope * self.turn[i][j];
+                    turn[i] = if j == 0 { term } else { turn[i] + term };
+                }
             }
+            NodeShare { s, right, turn }
         });
         fill::<T::Quad, D, P>(
             shares,

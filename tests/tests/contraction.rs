@@ -6,7 +6,8 @@ const MOST: usize = 40;
 
 /// Takes rows one by one, or offers all of its entries.
 struct Matrix {
-    unknowns: usize,
+    /// Length of a row: longer where an element has multipliers.
+    apart: usize,
     entries: Vec<f64>,
     is_open: bool,
 }
@@ -14,11 +15,12 @@ struct Matrix {
 impl Receiver for Matrix {
     fn open(&mut self, _: usize) {}
     fn force(&mut self, _: (usize, usize), _: f64, _: bool) {}
-    fn rows(&mut self) -> Option<&mut [f64]> {
-        self.is_open.then_some(self.entries.as_mut_slice())
+    fn rows(&mut self) -> Option<(&mut [f64], usize)> {
+        self.is_open
+            .then_some((self.entries.as_mut_slice(), self.apart))
     }
     fn row(&mut self, unknown: usize, row: &[f64], first: bool) {
-        let to = &mut self.entries[unknown * self.unknowns..][..self.unknowns];
+        let to = &mut self.entries[unknown * self.apart..][..row.len()];
         for (to, &value) in to.iter_mut().zip(row) {
             *to = if first { value } else { *to + value };
         }
@@ -74,16 +76,17 @@ impl<const D: usize, const P: usize> Case<D, P> {
         }
     }
 
-    /// K of two points, the second of which adds; `spare`: places of the scratch beyond the unknowns.
-    fn contracted(&self, spare: usize, is_open: bool) -> Vec<f64> {
+    /// K of two points, the second of which adds; `spare`: places of the scratch beyond the unknowns, `more`: other
+    /// unknowns.
+    fn contracted(&self, spare: usize, more: usize, is_open: bool) -> Vec<f64> {
         let unknowns = self.s.len() * D;
         let width = unknowns + spare;
         let mut u: [Vec<f64>; D] = core::array::from_fn(|_| vec![0.0; width]);
         let mut g: [Vec<f64>; P] = core::array::from_fn(|_| vec![0.0; width]);
         let (mut h, mut row) = (vec![0.0; width], vec![0.0; width]);
         let mut matrix = Matrix {
-            unknowns,
-            entries: vec![f64::NAN; unknowns * unknowns],
+            apart: unknowns + more,
+            entries: vec![0.25; (unknowns + more).pow(2)],
             is_open,
         };
         for first in [true, false] {
@@ -127,7 +130,7 @@ impl<const D: usize, const P: usize> Case<D, P> {
 fn check<const D: usize, const P: usize>(nodes: usize, moving: bool, measured: bool) {
     let case = Case::<D, P>::new(nodes, moving, measured);
     let unknowns = nodes * D;
-    let single = case.contracted(0, false);
+    let single = case.contracted(0, 0, false);
     for (at, &entry) in single.iter().enumerate() {
         let (i, j) = (at / unknowns, at % unknowns);
         let expected = case.expected(i, j);
@@ -136,13 +139,20 @@ fn check<const D: usize, const P: usize>(nodes: usize, moving: bool, measured: b
             "{D} {P} {nodes}: {i} {j}: {entry} instead of {expected}"
         );
     }
-    for spare in [0, 1, 3] {
+    for (spare, more) in [(0, 0), (1, 0), (3, 0), (0, 1), (1, 4)] {
         for is_open in [false, true] {
-            let other = case.contracted(spare, is_open);
-            let same = single.iter().zip(&other);
+            let other = case.contracted(spare, more, is_open);
+            let mut expected = vec![0.25; other.len()];
+            for (to, own) in expected
+                .chunks_mut(unknowns + more)
+                .zip(single.chunks(unknowns))
+            {
+                to[..unknowns].copy_from_slice(own);
+            }
+            let mut same = expected.iter().zip(&other);
             assert!(
-                same.clone().all(|(a, b)| a.to_bits() == b.to_bits()),
-                "{D} {P} {nodes}: {spare} spare places, rows at once: {is_open}"
+                same.all(|(a, b)| a.to_bits() == b.to_bits()),
+                "{D} {P} {nodes}: {spare} spare places, {more} unknowns more, rows at once: {is_open}"
             );
         }
     }

@@ -207,14 +207,14 @@ impl Receiver for Target {
     }
 
     #[inline(always)]
-    fn rows(&mut self) -> Option<&mut [f64]> {
+    fn rows(&mut self) -> Option<(&mut [f64], usize)> {
         let n = self.unknowns;
         let is_dense = self.map.is_null() && self.column_stride == 1 && self.row_stride == n;
         if self.k.is_null() || !is_dense || self.k_scale != 1.0 || !self.csr_values.is_null() {
             return None;
         }
         // SAFETY: k has all pairs of unknowns, and nothing else refers to it now.
-        Some(unsafe { core::slice::from_raw_parts_mut(self.k, n * n) })
+        Some((unsafe { core::slice::from_raw_parts_mut(self.k, n * n) }, n))
     }
 
     #[inline(always)]

@@ -80,8 +80,8 @@ pub trait Receiver {
             }
         }
     }
-    /// The rows of the tangent one after another, where they may be written at once.
-    fn rows(&mut self) -> Option<&mut [f64]> {
+    /// The rows of the tangent one after another, and how far they are apart, where they may be written at once.
+    fn rows(&mut self) -> Option<(&mut [f64], usize)> {
         None
     }
     /// Row `unknown` of the tangent; `first`: replaces, else adds.

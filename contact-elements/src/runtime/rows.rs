@@ -64,21 +64,22 @@ fn put<Q: Quad>(value: Q, to: &mut [f64]) {
     }
 }
 
-/// K(A,k) = s_A u_k + n_k s_A,j g_j, all rows one after another; `first`: replaces, else adds. Nothing where the
-/// lengths do not belong together or a row is shorter than the lanes.
+/// K(A,k) = s_A u_k + n_k s_A,j g_j, all rows, `apart` places from one to the next; `first`: replaces, else adds.
+/// False, and nothing done, where the lengths do not belong together or a row is shorter than the lanes.
 #[inline(always)]
 pub(super) fn write<T: Wide, const D: usize, const P: usize>(
     nodes: impl ExactSizeIterator<Item = (f64, [f64; P])>,
     n: &[f64; D],
     factors: &Factors<'_, D, P>,
-    to: &mut [f64],
+    (to, apart): (&mut [f64], usize),
     first: bool,
-) {
+) -> bool {
     let unknowns = nodes.len() * D;
     let is_long = |row: &[f64]| row.len() >= unknowns;
     let are_long = factors.u.iter().chain(&factors.g).all(|row| is_long(row));
-    if to.len() != unknowns * unknowns || !are_long || unknowns < T::WIDTH {
-        return;
+    let has_room = apart >= unknowns && to.len() >= unknowns * apart;
+    if !has_room || !are_long || unknowns < T::WIDTH {
+        return false;
     }
     let lanes = n.map(T::constant);
     let whole = if first {
@@ -86,13 +87,13 @@ pub(super) fn write<T: Wide, const D: usize, const P: usize>(
     } else {
         unknowns - unknowns % T::WIDTH
     };
-    for ((s, ds), rows) in nodes.zip(to.chunks_exact_mut((D * unknowns).max(1))) {
+    for ((s, ds), rows) in nodes.zip(to.chunks_exact_mut((D * apart).max(1))) {
         let turns = ds.map(T::constant);
         let s_lanes = T::constant(s);
         for column in (0..whole).step_by(T::WIDTH) {
             // the last lanes of a row that is replaced overlap those before
             let column = column.min(unknowns - T::WIDTH);
-            // SAFETY: column + WIDTH ≤ unknowns, all of u and g have as many entries, `rows` D times as many.
+            // SAFETY: column + WIDTH ≤ unknowns, all of u and g have as many entries, and so has each of the D rows.
             unsafe {
                 let along = along(&turns, &factors.g, column);
                 for k in 0..D {
@@ -100,7 +101,7 @@ pub(super) fn write<T: Wide, const D: usize, const P: usize>(
                     if P > 0 {
                         value = value + lanes[k] * along;
                     }
-                    let place = rows.as_mut_ptr().add(k * unknowns + column);
+                    let place = rows.as_mut_ptr().add(k * apart + column);
                     if !first {
                         value = T::load_at(place) + value;
                     }
@@ -109,9 +110,10 @@ pub(super) fn write<T: Wide, const D: usize, const P: usize>(
             }
         }
         if !first {
-            add_rest(s, &ds, n, factors, (rows, whole));
+            add_rest(s, &ds, n, factors, (rows, apart, whole..unknowns));
         }
     }
+    true
 }
 
 /// s_A,j g_j from `column` on.
@@ -129,19 +131,19 @@ unsafe fn along<T: Wide, const P: usize>(turns: &[T; P], g: &[&[f64]; P], column
     sum
 }
 
-/// Adds the entries that fill no lanes, from column `whole` on.
+/// Adds the entries of the columns that fill no lanes.
 #[inline(always)]
 fn add_rest<const D: usize, const P: usize>(
     s: f64,
     ds: &[f64; P],
     n: &[f64; D],
     factors: &Factors<'_, D, P>,
-    (rows, whole): (&mut [f64], usize),
+    (rows, apart, columns): (&mut [f64], usize, core::ops::Range<usize>),
 ) {
-    let unknowns = rows.len() / D;
-    let rows = rows.chunks_exact_mut(unknowns.max(1));
+    let rows = rows.chunks_exact_mut(apart.max(1));
     for ((row, u), n) in rows.zip(factors.u).zip(n) {
-        for (column, entry) in row.iter_mut().enumerate().skip(whole) {
+        let own = row.get_mut(columns.clone()).unwrap_or_default();
+        for (column, entry) in columns.clone().zip(own) {
             let at = |row: &[f64]| row.get(column).copied().unwrap_or(0.0);
             let mut along = 0.0;
             for j in 0..P {
@@ -179,9 +181,9 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
     fn write<T: Wide>(
         &self,
         (mut u, mut g): ([&mut [f64]; D], [&mut [f64]; P]),
-        to: &mut [f64],
+        to: (&mut [f64], usize),
         first: bool,
-    ) {
+    ) -> bool {
         let slope = |j: usize, a: usize| self.ds[j].get(a).copied().unwrap_or(0.0);
         let nodes = self.s.iter().enumerate();
         let shares = nodes.clone().map(|(b, &s)| {
@@ -221,15 +223,15 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
             g: g.map(|row| &*row),
         };
         let nodes = nodes.map(|(a, &s)| (s, core::array::from_fn(|j| slope(j, a))));
-        write::<T, D, P>(nodes, self.n, &factors, to, first);
+        write::<T, D, P>(nodes, self.n, &factors, to, first)
     }
 
-    /// All rows, where the processor has the lanes for it; false where nothing was done.
+    /// All rows, where the processor has the lanes for it; false where K was not touched.
     #[inline(always)]
     pub(super) fn write_wide(
         &self,
         scratch: ([&mut [f64]; D], [&mut [f64]; P]),
-        to: &mut [f64],
+        to: (&mut [f64], usize),
         first: bool,
     ) -> bool {
         #[cfg(target_arch = "x86_64")]
@@ -239,14 +241,13 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
             fn four<const D: usize, const P: usize>(
                 contraction: &Contraction<'_, D, P>,
                 scratch: ([&mut [f64]; D], [&mut [f64]; P]),
-                to: &mut [f64],
+                to: (&mut [f64], usize),
                 first: bool,
-            ) {
-                contraction.write::<Four>(scratch, to, first);
+            ) -> bool {
+                contraction.write::<Four>(scratch, to, first)
             }
             // SAFETY: the processor has AVX2.
-            unsafe { four(self, scratch, to, first) };
-            return true;
+            return unsafe { four(self, scratch, to, first) };
         }
         false
     }

@@ -129,7 +129,7 @@ fn tangent<R: Receiver, T: Wide, const D: usize, const P: usize, const N: usize>
             is_written = true;
             to
         }
-        None => &mut *matrix,
+        None => (&mut *matrix, N * D),
     };
     let factors = Factors {
         u: u.each_ref().map(|row| row.as_slice()),
@@ -139,7 +139,8 @@ fn tangent<R: Receiver, T: Wide, const D: usize, const P: usize, const N: usize>
     let nodes = nodes
         .iter()
         .map(|own| (own[0], core::array::from_fn(|j| own[1 + j])));
-    rows::write::<T, D, P>(nodes, &n, &factors, to, true);
+    let is_done = rows::write::<T, D, P>(nodes, &n, &factors, to, true);
+    debug_assert!(is_done);
     if !is_written {
         for (unknown, row) in matrix.chunks_exact(N * D).enumerate() {
             receiver.row(unknown, row, true);

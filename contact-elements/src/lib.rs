@@ -2,14 +2,22 @@
 //!
 //! Declare a pair with [`contact_elements!`], build, and link a C or Fortran symbol; or use the built-in
 //! [`elements`]. The kernels need neither the standard library nor an allocator.
+//!
+//! | feature | |
+//! |---|---|
+//! | `library`, on | the built-in [`elements`]; without it a crate with elements of its own is built sooner |
+//! | `threads`, off | [`abi::element_evaluate_batch_threads`] has threads; needs the standard library |
 #![no_std]
 
 extern crate self as contact_elements;
+#[cfg(feature = "threads")]
+extern crate std;
 
 pub use contact_macros::contact_elements;
 
 pub mod abi;
 pub mod arithmetic;
+#[cfg(feature = "library")]
 pub mod elements;
 pub mod geometry;
 pub mod laws;

@@ -46,6 +46,20 @@ pub unsafe fn element_evaluate_batch_in(
     batch: *mut Batch,
     width: Width,
 ) -> i32 {
+    // SAFETY: promised by the caller.
+    unsafe { guarded(element, n, batch, |checked| all(checked, width)) }
+}
+
+/// Checks a batch, has it evaluated and fills the scalars at the end of its struct.
+///
+/// # Safety
+/// As [`element_evaluate_batch`].
+pub(super) unsafe fn guarded(
+    element: *const Descriptor,
+    n: i64,
+    batch: *mut Batch,
+    evaluate: impl FnOnce(Checked<'_>) -> Result<Failures, Fault>,
+) -> i32 {
     if batch.is_null() {
         return code::NULL;
     }
@@ -58,18 +72,15 @@ pub unsafe fn element_evaluate_batch_in(
     // SAFETY: promised by the caller.
     let outcome = match unsafe { element.as_ref() } {
         // SAFETY: promised by the caller.
-        Some(element) => unsafe {
-            Checked::new(element, n, batch).and_then(|checked| all(checked, width))
-        },
+        Some(element) => unsafe { Checked::new(element, n, batch) }.and_then(evaluate),
         None => Err((code::NULL, argument::ELEMENT, 0)),
     };
     let (code, failures) = match outcome {
         Ok(failures) if failures.count == 0 => (code::SUCCESS, failures),
         Ok(failures) => (code::CUT_BACK, failures),
         Err((code, argument, index)) => {
-            let count = 0;
             let failures = Failures {
-                count,
+                count: 0,
                 argument,
                 index,
             };
@@ -83,42 +94,40 @@ pub unsafe fn element_evaluate_batch_in(
 }
 
 /// How many contacts failed; which was the first, and what its fault names.
-struct Failures {
-    count: i64,
-    argument: i32,
-    index: usize,
+#[derive(Clone, Copy)]
+pub(super) struct Failures {
+    pub(super) count: i64,
+    pub(super) argument: i32,
+    pub(super) index: usize,
 }
 
-/// Evaluates all contacts.
-///
-/// # Safety
-/// As [`element_evaluate_batch`].
-unsafe fn all(checked: Checked<'_>, width: Width) -> Result<Failures, Fault> {
-    let failures = Failures {
+impl Failures {
+    pub(super) const NONE: Self = Self {
         count: 0,
         argument: argument::NONE,
         index: 0,
     };
+}
+
+/// Evaluates all contacts on this thread.
+pub(super) fn all(checked: Checked<'_>, width: Width) -> Result<Failures, Fault> {
+    let memory = checked.workspace()?;
+    Ok(evaluate(checked, memory, width))
+}
+
+/// Evaluates all contacts in the order of their numbers.
+pub(super) fn evaluate(checked: Checked<'_>, memory: &mut [f64], width: Width) -> Failures {
     if checked.count == 0 {
-        return Ok(failures);
+        return Failures::NONE;
     }
     let element = checked.element;
-    let needed = element.workspace(checked.nodes);
-    // SAFETY: promised by the caller.
-    let memory = unsafe {
-        workspace(
-            checked.batch.workspace,
-            checked.batch.workspace_size,
-            needed,
-        )?
-    };
-    // SAFETY: promised by the caller.
+    // SAFETY: promised by the caller of the batch; there is a first contact.
     let shared = unsafe { checked.parameters_of(0) };
     let mut run = Run {
         checked,
         shared,
         memory,
-        failures,
+        failures: Failures::NONE,
     };
     match element.lanes {
         Some(kernel) if run.count() > 1 => kernel(&mut run, width),
@@ -128,7 +137,7 @@ unsafe fn all(checked: Checked<'_>, width: Width) -> Result<Failures, Fault> {
             }
         }
     }
-    Ok(run.failures)
+    run.failures
 }
 
 /// A batch at work. Made of a batch that was checked, whose caller promised its pointers.
@@ -243,6 +252,16 @@ impl Contacts for Run<'_> {
 }
 
 impl<'a> Checked<'a> {
+    /// The caller's workspace, where the element needs one and there are contacts.
+    pub(super) fn workspace(&self) -> Result<&'a mut [f64], Fault> {
+        if self.count == 0 {
+            return Ok(&mut []);
+        }
+        let needed = self.element.workspace(self.nodes);
+        // SAFETY: promised by the caller of the batch.
+        unsafe { workspace(self.batch.workspace, self.batch.workspace_size, needed) }
+    }
+
     /// # Safety
     /// As [`element_evaluate_batch`].
     unsafe fn parameters_of(&self, e: usize) -> Result<&'a [f64], Fault> {
@@ -350,6 +369,7 @@ impl<'a> Checked<'a> {
             f_scale: self.f_scale,
             k_scale: self.k_scale,
             global_f: at(request::RESIDUAL, batch.global_f, 0),
+            turn: self.turn,
             // SAFETY: promised by the caller.
             connectivity: unsafe { shifted(batch.connectivity, e * self.nodes) },
             dimension: self.element.dimension,

@@ -2,6 +2,7 @@
 
 use super::evaluate::{check_request, scale};
 use super::sizes::{Fault, MOST_ENTRIES, extent, slave_count, spacing};
+use super::threads::Turn;
 use super::types::Batch;
 use super::{Descriptor, OUTPUT_SIZE, argument, code, request};
 
@@ -23,6 +24,7 @@ pub(super) struct Checked<'a> {
     pub(super) parameter_stride: usize,
     pub(super) f_scale: f64,
     pub(super) k_scale: f64,
+    pub(super) turn: Turn,
 }
 
 /// Strides of a coordinate array with the defaults filled in, and the entries it has at least.
@@ -38,7 +40,7 @@ impl<'a> Checked<'a> {
     /// Checks everything but the values.
     ///
     /// # Safety
-    /// The connectivity is null or has n · nnode entries.
+    /// The pointers of the batch are valid for the shapes that the header gives, as long as this lives.
     pub(super) unsafe fn new(
         element: &'a Descriptor,
         n: i64,
@@ -64,6 +66,7 @@ impl<'a> Checked<'a> {
             parameter_stride: 0,
             f_scale: scale(batch.f_scale)?,
             k_scale: scale(batch.k_scale)?,
+            turn: Turn::default(),
         };
         if count > 0 {
             checked.check_pointers()?;

@@ -62,6 +62,7 @@ pub mod argument {
     pub const FACET: i32 = 36;
     pub const EDGE: i32 = 37;
     pub const VERTEX: i32 = 38;
+    pub const THREADS: i32 = 39;
 }
 
 /// Request bits.

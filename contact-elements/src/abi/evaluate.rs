@@ -5,6 +5,7 @@ use core::cell::Cell;
 use super::describe::bad_parameter;
 use super::sizes::{Fault, extent, reported, slave_count, spacing};
 use super::target::Target;
+use super::threads::Turn;
 use super::types::{Arguments, is_whole};
 use super::{Descriptor, argument, code, request};
 use crate::runtime::{Call, Coordinates, InputError, Nodes, Status, Summary, Wanted};
@@ -350,6 +351,7 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
         dimension: element.dimension,
         csr_values: core::ptr::null_mut(),
         csr_map: core::ptr::null(),
+        turn: Turn::default(),
         output: if_wanted(request::OUTPUT, arguments.output),
         history: if_wanted(request::HISTORY, arguments.hist_new).cast(),
         energy: if_wanted(request::ENERGY, arguments.energy),

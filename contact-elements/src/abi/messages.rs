@@ -104,6 +104,7 @@ fn argument_text(value: i32) -> &'static str {
         argument::FACET => "facet\0",
         argument::EDGE => "edge\0",
         argument::VERTEX => "vertex\0",
+        argument::THREADS => "threads\0",
         _ => "unknown\0",
     }
 }

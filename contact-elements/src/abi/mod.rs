@@ -18,6 +18,7 @@ mod safe;
 mod sides;
 mod sizes;
 mod target;
+mod threads;
 mod transfer;
 mod types;
 
@@ -35,6 +36,7 @@ pub use patch::{Facets, Patch, evaluate_patch, patch_evaluate, patch_info};
 pub use project::{Projection, Query, element_project, project};
 pub use safe::{Evaluation, Outcome, evaluate};
 pub use target::Target;
+pub use threads::element_evaluate_batch_threads;
 pub use transfer::{history_transfer, transfer};
 pub use types::{ApiTable, Arguments, Batch, Info};
 

@@ -3,6 +3,7 @@
 use core::cell::Cell;
 
 use super::OUTPUT_SIZE;
+use super::threads::Turn;
 use crate::runtime::{HistoryLayout, Receiver, Report};
 
 /// Outputs of one element. Null pointers are outputs that nobody asked for.
@@ -19,6 +20,8 @@ pub struct Target {
     pub(super) f_scale: f64,
     pub(super) k_scale: f64,
     pub(super) global_f: *mut f64,
+    /// Which shared entries are this element's to add to.
+    pub(super) turn: Turn,
     /// Node numbers of the element in `global_f`.
     pub(super) connectivity: *const i32,
     pub(super) dimension: usize,
@@ -75,17 +78,42 @@ impl Target {
             }
         }
         if !self.csr_values.is_null() {
-            self.scatter_row(unknown, row);
+            self.scatter(unknown, 0, row);
         }
     }
 
-    /// Adds to the host's sparse row.
-    fn scatter_row(&self, unknown: usize, row: &[f64]) {
-        for (column, &value) in row.iter().enumerate() {
-            // SAFETY: csr_map has unknowns² entries for this element, made by `csr_map` for these values.
-            unsafe {
-                let at = *self.csr_map.add(unknown * self.unknowns + column) as usize;
-                *self.csr_values.add(at) += self.k_scale * value;
+    /// Adds to an entry of the host's vector.
+    #[inline(always)]
+    fn add_force(&self, node: usize, component: usize, value: f64) {
+        // SAFETY: the connectivity was checked against global_nodes, global_f has all their entries.
+        unsafe {
+            let node = *self.connectivity.add(node) as usize;
+            let entry = node * self.dimension + component;
+            if self.turn.is_mine(node) {
+                *self.global_f.add(entry) += value;
+            } else {
+                self.turn.note_force(node, entry, value);
+            }
+        }
+    }
+
+    /// Adds to the host's sparse row, from a column of the element on.
+    fn scatter(&self, unknown: usize, column: usize, values: &[f64]) {
+        // SAFETY: csr_map has unknowns² entries for this element, made by `csr_map` for these values; the connectivity
+        // was checked.
+        unsafe {
+            let map = self.csr_map.add(unknown * self.unknowns + column);
+            let node = || {
+                *self
+                    .connectivity
+                    .add(self.turn.node(unknown, self.dimension)) as usize
+            };
+            if !self.turn.is_free() && !self.turn.is_mine(node()) {
+                self.turn.note_row(node(), map, (values, self.k_scale));
+                return;
+            }
+            for (place, &value) in values.iter().enumerate() {
+                *self.csr_values.add(*map.add(place) as usize) += self.k_scale * value;
             }
         }
     }
@@ -181,11 +209,7 @@ impl Receiver for Target {
             }
         }
         if !self.global_f.is_null() {
-            // SAFETY: the connectivity was checked against global_nodes.
-            unsafe {
-                let node = *self.connectivity.add(node) as usize;
-                *self.global_f.add(node * self.dimension + component) += value;
-            }
+            self.add_force(node, component, value);
         }
     }
 
@@ -237,17 +261,16 @@ impl Receiver for Target {
             unsafe { *self.f.add(self.host(unknown)) += value };
         }
         if !self.global_f.is_null() {
-            // SAFETY: the connectivity was checked against global_nodes.
-            unsafe {
-                let node = *self.connectivity.add(node) as usize;
-                *self.global_f.add(node * self.dimension) += value;
-            }
+            self.add_force(node, 0, value);
         }
     }
 
     fn coupling(&mut self, row: usize, column: usize, value: f64) {
-        let value = self.k_scale * value;
+        if !self.csr_values.is_null() {
+            self.scatter(row, column, &[value]);
+        }
         if !self.k.is_null() {
+            let value = self.k_scale * value;
             let (row, column) = (self.host(row), self.host(column));
             // SAFETY: k has an entry for every pair of host rows.
             unsafe {
@@ -255,13 +278,6 @@ impl Receiver for Target {
                     .k
                     .add(row * self.row_stride + column * self.column_stride) += value
             };
-        }
-        if !self.csr_values.is_null() {
-            // SAFETY: csr_map has unknowns² entries for this element, made by `csr_map` for these values.
-            unsafe {
-                let at = *self.csr_map.add(row * self.unknowns + column) as usize;
-                *self.csr_values.add(at) += value;
-            }
         }
     }
 

@@ -181,6 +181,8 @@ pub struct ApiTable {
     ) -> i32,
     pub patch_info: unsafe extern "C" fn(*const Patch, *mut Info, *mut i32) -> i32,
     pub patch_evaluate: unsafe extern "C" fn(*const Patch, *mut Arguments) -> i32,
+    pub element_evaluate_batch_threads:
+        unsafe extern "C" fn(*const Descriptor, i64, *mut Batch, i32) -> i32,
 }
 
 /// True where the caller's struct is at least as large as `T`.
@@ -199,5 +201,5 @@ const _: () = {
     assert!(size_of::<Arguments>() == 312);
     assert!(size_of::<Batch>() == 336);
     assert!(size_of::<Projection>() == 48);
-    assert!(size_of::<ApiTable>() == 176);
+    assert!(size_of::<ApiTable>() == 184);
 };

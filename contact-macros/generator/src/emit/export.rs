@@ -207,6 +207,14 @@ fn evaluations(prefix: &Ident) -> TokenStream {
             quote!(abi::element_evaluate_batch(element, n, batch)),
         ),
         f(
+            "element_evaluate_batch_threads",
+            quote!(element: *const abi::Descriptor, n: i64, batch: *mut abi::Batch, threads: i32),
+            quote!(i32),
+            quote!(abi::element_evaluate_batch_threads(
+                element, n, batch, threads
+            )),
+        ),
+        f(
             "csr_map",
             quote!(element: *const abi::Descriptor, n: i64, nslave: i32, connectivity: *const i32,
                 rows: i64, row_start: *const i64, column: *const i32, map: *mut i64),
@@ -293,6 +301,7 @@ fn table(prefix: &Ident) -> TokenStream {
         "element_project",
         "patch_info",
         "patch_evaluate",
+        "element_evaluate_batch_threads",
     ];
     let names = fields.iter().map(|name| format_ident!("{name}"));
     let values = fields.iter().map(|name| entry(name));

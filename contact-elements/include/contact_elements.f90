@@ -47,6 +47,7 @@ module contact_elements
   integer(i4), parameter :: CTE_ARGUMENT_REACH = 32, CTE_ARGUMENT_RESULT = 33
   integer(i4), parameter :: CTE_ARGUMENT_PATCH = 34, CTE_ARGUMENT_FACETS = 35, CTE_ARGUMENT_FACET = 36
   integer(i4), parameter :: CTE_ARGUMENT_EDGE = 37, CTE_ARGUMENT_VERTEX = 38
+  integer(i4), parameter :: CTE_ARGUMENT_THREADS = 39
 
   ! Request bits
   integer(i4), parameter :: CTE_RESIDUAL = 1, CTE_TANGENT = 2, CTE_HISTORY = 4, CTE_OUTPUT = 8
@@ -231,6 +232,7 @@ module contact_elements
     type(c_funptr) :: element_project = c_null_funptr
     type(c_funptr) :: patch_info = c_null_funptr
     type(c_funptr) :: patch_evaluate = c_null_funptr
+    type(c_funptr) :: element_evaluate_batch_threads = c_null_funptr
   end type cte_api_table
 
   interface
@@ -373,6 +375,16 @@ module contact_elements
       type(cte_batch), intent(inout) :: batch
       integer(i4) :: code
     end function cte_element_evaluate_batch
+
+    function cte_element_evaluate_batch_threads(element, n, batch, threads) &
+        bind(c, name='cte_element_evaluate_batch_threads') result(code)
+      import :: i4, i8, c_ptr, cte_batch
+      type(c_ptr), value :: element
+      integer(i8), value :: n
+      type(cte_batch), intent(inout) :: batch
+      integer(i4), value :: threads
+      integer(i4) :: code
+    end function cte_element_evaluate_batch_threads
 
     function cte_csr_map(element, n, nslave, connectivity, rows, row_start, column, map) &
         bind(c, name='cte_csr_map') result(code)

@@ -111,6 +111,7 @@ extern "C" {
 #define CTE_ARGUMENT_FACET 36
 #define CTE_ARGUMENT_EDGE 37
 #define CTE_ARGUMENT_VERTEX 38
+#define CTE_ARGUMENT_THREADS 39 /* that of cte_element_evaluate_batch_threads */
 
 /* ------------------------------------------------------------------ what is wanted: request bits */
 #define CTE_RESIDUAL 1u        /* write f */
@@ -516,6 +517,15 @@ int64_t cte_element_batch_workspace(const cte_element *element, int32_t nslave);
  * struct_size too small). n < 0, or too many for any memory: CTE_ERROR_INDEX. */
 int32_t cte_element_evaluate_batch(const cte_element *element, int64_t n, cte_batch *batch);
 
+/* The same with the same bits by at most so many threads, and at most one per processor; 0: one per processor. < 0:
+ * CTE_ERROR_INDEX, CTE_ARGUMENT_THREADS. A library built without threads, the usual one, evaluates on the calling
+ * thread. One built with them keeps its threads from the first call on, in the default floating-point environment;
+ * takes memory for the time of the call (a word per node of global_nodes with sums; each thread a workspace and what it
+ * has to add to entries of others, at most some 32 MB for each contact point); needs a csr_map of cte_csr_map: a place
+ * that two rows share would be added to by two threads at once. Memory that runs out half-way: CTE_ERROR_WORKSPACE,
+ * CTE_ARGUMENT_WORKSPACE; all outputs are undefined then. */
+int32_t cte_element_evaluate_batch_threads(const cte_element *element, int64_t n, cte_batch *batch, int32_t threads);
+
 /* Makes the scatter map of n elements once: position in the CSR values of every entry of every element
  * matrix. row_start [rows+1], column [row_start[rows]] sorted within each row, rows = global_nodes *
  * dimension. CTE_ERROR_INDEX when an entry is missing from the pattern or n < 0, CTE_ERROR_NODE_COUNT for
@@ -563,6 +573,7 @@ typedef struct cte_api_table {
   int32_t (*element_project)(const cte_element *, cte_arguments *, double, cte_projection *, double *);
   int32_t (*patch_info)(const cte_patch *, cte_info *, int32_t *);
   int32_t (*patch_evaluate)(const cte_patch *, cte_arguments *);
+  int32_t (*element_evaluate_batch_threads)(const cte_element *, int64_t, cte_batch *, int32_t);
 } cte_api_table;
 
 /* Fills *table. major: CTE_VERSION_MAJOR of this header. CTE_ERROR_VERSION when the library's differs. */

@@ -166,6 +166,9 @@ static void counts(void)
   client_check(cte_element_evaluate_batch(b.element, -1, &batch) < 0 && untouched(), "batch: -1 contacts");
   client_check(cte_element_evaluate_batch(NULL, CONTACTS, &batch) == CTE_ERROR_NULL && untouched(),
                "batch: element null");
+  client_check(cte_element_evaluate_batch_threads(b.element, CONTACTS, &batch, -1) == CTE_ERROR_INDEX &&
+                   batch.error_argument == CTE_ARGUMENT_THREADS && untouched(),
+               "batch: -1 threads");
 }
 
 static void strides(void)

@@ -198,6 +198,9 @@ contains
     call client_check(found < 0 .and. untouched(), 'batch: -1 contacts')
     found = cte_element_evaluate_batch(c_null_ptr, int(contacts, i8), batch)
     call client_check(found == CTE_ERROR_NULL .and. untouched(), 'batch: element null')
+    found = cte_element_evaluate_batch_threads(b%element, int(contacts, i8), batch, -1)
+    call client_check(found == CTE_ERROR_INDEX .and. batch%error_argument == CTE_ARGUMENT_THREADS &
+                      .and. untouched(), 'batch: -1 threads')
   end subroutine counts
 
   subroutine strides()

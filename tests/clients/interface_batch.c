@@ -112,6 +112,12 @@ static void gathered(void)
 {
   fresh();
   client_check(evaluated() && memcmp(&many, &single, sizeof many) == 0, "batch: gathered by connectivity");
+  for (int32_t threads = 0; threads < 3; threads++) {
+    fresh();
+    client_check(cte_element_evaluate_batch_threads(b.element, CONTACTS, &batch, threads) == CTE_SUCCESS &&
+                     batch.failed == 0 && memcmp(&many, &single, sizeof many) == 0,
+                 "batch: by threads");
+  }
   fresh();
   batch.x_node_stride = batch.u_node_stride = 1; /* component by component */
   batch.x_component_stride = batch.u_component_stride = NODES;

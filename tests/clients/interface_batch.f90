@@ -122,8 +122,16 @@ contains
 
   subroutine gathered()
     real(dp), target :: by_component(0:nodes - 1, 3, 2)
+    integer(i4) :: threads
+    logical :: pass
     call fresh()
     call client_check(same_results(), 'batch: gathered by connectivity')
+    do threads = 0, 2
+      call fresh()
+      pass = cte_element_evaluate_batch_threads(b%element, int(contacts, i8), batch, threads) == CTE_SUCCESS
+      pass = pass .and. batch%failed == 0 .and. all(transfer(many, [0_i8]) == transfer(single, [0_i8]))
+      call client_check(pass, 'batch: by threads')
+    end do
     call fresh()
     by_component(:, :, 1) = transpose(x)
     by_component(:, :, 2) = transpose(u)

@@ -72,7 +72,7 @@ static void arguments(void)
       CONSTANT(CTE_ARGUMENT_REACH, 32),       CONSTANT(CTE_ARGUMENT_RESULT, 33),
       CONSTANT(CTE_ARGUMENT_PATCH, 34),       CONSTANT(CTE_ARGUMENT_FACETS, 35),
       CONSTANT(CTE_ARGUMENT_FACET, 36),       CONSTANT(CTE_ARGUMENT_EDGE, 37),
-      CONSTANT(CTE_ARGUMENT_VERTEX, 38)};
+      CONSTANT(CTE_ARGUMENT_VERTEX, 38),      CONSTANT(CTE_ARGUMENT_THREADS, 39)};
   COMPARE("arguments", list);
   texts("names of the arguments", list, sizeof list / sizeof list[0], cte_argument_name);
   client_check(strcmp(cte_argument_name(CTE_ARGUMENT_PARAMETERS), "parameters") == 0,

@@ -63,6 +63,7 @@ static void table(int32_t index)
                    strcmp(api.argument_name(CTE_ARGUMENT_F), cte_argument_name(CTE_ARGUMENT_F)) == 0,
                "table: texts");
   client_check(api.element_evaluate_batch(NULL, 0, NULL) == CTE_ERROR_NULL &&
+                   api.element_evaluate_batch_threads(NULL, 0, NULL, 0) == CTE_ERROR_NULL &&
                    api.csr_map(NULL, 0, 0, NULL, 0, NULL, NULL, NULL) == CTE_ERROR_NULL,
                "table: batch and csr_map");
 }

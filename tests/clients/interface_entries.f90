@@ -18,6 +18,13 @@ module interface_entries
       integer(i8), value :: count
       integer(i4) :: code
     end function batch_call
+    function threads_call(element, count, batch, threads) bind(c) result(code)
+      import :: i4, i8, c_ptr
+      type(c_ptr), value :: element, batch
+      integer(i8), value :: count
+      integer(i4), value :: threads
+      integer(i4) :: code
+    end function threads_call
     function map_call(element, count, nslave, connectivity, rows, row_start, column, map) bind(c) result(code)
       import :: i4, i8, c_ptr
       type(c_ptr), value :: element, connectivity, row_start, column, map
@@ -126,6 +133,7 @@ contains
     integer(i4), intent(in) :: element_index
     type(cte_api_table) :: api
     procedure(batch_call), pointer :: element_evaluate_batch
+    procedure(threads_call), pointer :: element_evaluate_batch_threads
     procedure(map_call), pointer :: csr_map
     logical :: pass
     api%struct_size = int(c_sizeof(api), i4)
@@ -138,8 +146,10 @@ contains
     call client_check(pass, 'table: lookup and description')
     call evaluate_through(api)
     call c_f_procpointer(api%element_evaluate_batch, element_evaluate_batch)
+    call c_f_procpointer(api%element_evaluate_batch_threads, element_evaluate_batch_threads)
     call c_f_procpointer(api%csr_map, csr_map)
     pass = element_evaluate_batch(c_null_ptr, 0_i8, c_null_ptr) == CTE_ERROR_NULL
+    pass = element_evaluate_batch_threads(c_null_ptr, 0_i8, c_null_ptr, 0) == CTE_ERROR_NULL .and. pass
     pass = csr_map(c_null_ptr, 0_i8, 0, c_null_ptr, 0_i8, c_null_ptr, c_null_ptr, c_null_ptr) == CTE_ERROR_NULL &
       .and. pass
     call client_check(pass, 'table: batch and csr_map')

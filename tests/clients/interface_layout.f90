@@ -207,7 +207,8 @@ contains
     call field('element_project', c_loc(v%element_project), 152)
     call field('patch_info', c_loc(v%patch_info), 160)
     call field('patch_evaluate', c_loc(v%patch_evaluate), 168)
-    call finish('cte_api_table', int(c_sizeof(v), i8), 176)
+    call field('element_evaluate_batch_threads', c_loc(v%element_evaluate_batch_threads), 176)
+    call finish('cte_api_table', int(c_sizeof(v), i8), 184)
   end subroutine layout_api_table
 
   subroutine interface_layout_run()

@@ -1,7 +1,10 @@
 //! Time per contact of a batch, beside one call after the other and the hand-written peers, in one process.
 //!
-//! `contact-batch-cost [folder of the peers' libraries] [title of one table] [rounds]`
+//! `contact-batch-cost [folder of the peers' libraries] [title of one table] [rounds]`; titles of tables of many
+//! contacts: `threads`, `assembly`, `candidates`
 
+mod assembly;
+mod grid;
 mod peers;
 mod states;
 mod work;
@@ -25,9 +28,17 @@ fn main() {
     let closed = States::new(8192, 1.0);
     let open = States::new(8192, 0.0);
     for (title, states, work) in [
-        ("R and K, projection given", &closed, Work::tangent().given()),
+        (
+            "R and K, projection given",
+            &closed,
+            Work::tangent().given(),
+        ),
         ("R and K, Newton", &closed, Work::tangent()),
-        ("R and K, Newton, output and history", &closed, Work::tangent().reported()),
+        (
+            "R and K, Newton, output and history",
+            &closed,
+            Work::tangent().reported(),
+        ),
         ("R, projection given", &closed, Work::residual().given()),
         ("R, Newton", &closed, Work::residual()),
         ("open, R and K", &open, Work::tangent()),
@@ -38,6 +49,21 @@ fn main() {
         }
         table(title, states, work, &peers);
     }
+    let many: [(&str, fn(usize)); 3] = [
+        ("threads", assembly::threads),
+        ("assembly", assembly::assembly),
+        ("candidates", assembly::candidates),
+    ];
+    for (title, table) in many {
+        if only.as_ref().is_none_or(|only| only == title) {
+            table(rounds());
+        }
+    }
+}
+
+fn rounds() -> usize {
+    let given = std::env::args().nth(3).and_then(|text| text.parse().ok());
+    given.unwrap_or(31)
 }
 
 /// Time of this thread [ns]: what others do on the machine counts little.
@@ -74,16 +100,19 @@ fn table(title: &str, states: &States, work: Work, peers: &[Peer]) {
             });
         }
     }
-    let rounds = std::env::args().nth(3).and_then(|text| text.parse().ok());
-    for _ in 0..rounds.unwrap_or(31) {
+    for _ in 0..rounds() {
         for way in &mut ways {
             let start = now();
             (way.run)();
             way.times.push((now() - start) / states.count as f64);
         }
     }
+    print(title, &mut ways);
+}
+
+fn print(title: &str, ways: &mut [Way<'_>]) {
     println!("\n{title}\n| way | ns, median | least |\n|---|---:|---:|");
-    for way in &mut ways {
+    for way in ways {
         way.times.sort_by(f64::total_cmp);
         let median = way.times[way.times.len() / 2];
         println!("| {} | {median:.1} | {:.1} |", way.name, way.times[0]);

@@ -1,12 +1,12 @@
 //! The C library: the built-in elements behind the symbols of `contact_elements.h`.
-#![no_std]
+#![cfg_attr(not(feature = "threads"), no_std)]
 
 use contact_elements::elements::*;
 
 contact_macros::library_export!(cte);
 
 /// The kernels have no panicking path; the linker finds no caller and leaves this out.
-#[cfg(not(test))]
+#[cfg(not(any(test, feature = "threads")))]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {}
@@ -15,6 +15,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 // The precompiled core names an unwinding routine that nothing calls: panics abort, and there are none.
 // Weak and hidden, so that it neither leaves this library nor clashes with a host's own.
 #[cfg(all(
+    not(feature = "threads"),
     target_os = "linux",
     any(target_arch = "x86_64", target_arch = "aarch64")
 ))]

@@ -1,4 +1,4 @@
-//! `cte_element_evaluate_batch`: the same contacts one by one have to give the same bits.
+//! `cte_element_evaluate_batch`, with and without threads: the same contacts one by one have to give the same bits.
 
 use std::mem::offset_of;
 use std::ptr::{null, null_mut};
@@ -17,6 +17,7 @@ use crate::memory::Output;
 use crate::numbers::NUMBERS;
 
 const FUNCTION: usize = function("cte_element_evaluate_batch");
+const BY_THREADS: usize = function("cte_element_evaluate_batch_threads");
 /// Before a call in arrays of integers.
 const UNSET: i32 = 0x5a5a_5a5a;
 
@@ -51,6 +52,7 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
         .output(&bytes[..size], contacts.plan.edge);
     harness.show("batch", &contacts);
     let evaluate = harness.interface.table.element_evaluate_batch;
+    let by_threads = harness.interface.table.element_evaluate_batch_threads;
     let handle = match contacts.null {
         Some(0) => null(),
         _ => element.pointer,
@@ -61,8 +63,17 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     };
     // SAFETY: what the header demands, or what it says is refused.
     let call = || unsafe { evaluate(handle, contacts.n, pointer) };
-    let (code, raised) = harness.noting(FUNCTION, mode(&element), call);
-    harness.ledger.code(FUNCTION, code);
+    // SAFETY: as above.
+    let call_threads = || unsafe { by_threads(handle, contacts.n, pointer, 2) };
+    let (function, (code, raised)) = if contacts.n % 4 == 3 {
+        (
+            BY_THREADS,
+            harness.noting(BY_THREADS, mode(&element), call_threads),
+        )
+    } else {
+        (FUNCTION, harness.noting(FUNCTION, mode(&element), call))
+    };
+    harness.ledger.code(function, code);
     check_struct(&contacts, code, &block, &bytes[..size])?;
     check_whole(&contacts, code, &arrays)?;
     if raised.is_some() {

@@ -36,7 +36,7 @@ const MOST_WRITTEN: usize = 1 << 22;
 /// Numbers that are added by one thread.
 const ADDED_ALONE: usize = 1 << 12;
 
-/// The fault of a batch for which there is no memory.
+/// The fault of a batch for which the memory ran out half-way.
 const NO_MEMORY: Fault = (code::WORKSPACE, argument::WORKSPACE, 0);
 
 /// One thread per processor, kept from the first call on; none where the system refuses them.
@@ -68,9 +68,13 @@ pub(super) fn all(checked: Checked<'_>, threads: usize) -> Result<Failures, Faul
     };
     // a fault of the caller's workspace is one here too
     checked.workspace()?;
-    let round = Round::new(&checked, width, threads.min(most))?;
-    let mut parts = round.parts()?;
-    pool.install(|| round.all(&mut parts))
+    let round = Round::new(&checked, width, threads.min(most));
+    let parts = round.as_ref().and_then(Round::parts);
+    match (&round, parts) {
+        (Some(round), Some(mut parts)) => pool.install(|| round.all(&mut parts)),
+        // no memory: by one thread
+        _ => batch::all(checked, width),
+    }
 }
 
 /// What all threads read.
@@ -104,15 +108,15 @@ unsafe impl Send for Part {}
 unsafe impl Sync for Part {}
 
 impl<'a> Round<'a> {
-    fn new(checked: &'a Checked<'a>, width: Width, parts: usize) -> Result<Self, Fault> {
+    fn new(checked: &'a Checked<'a>, width: Width, parts: usize) -> Option<Self> {
         let batch = checked.batch;
         let adds_f = batch.request & request::RESIDUAL != 0 && !batch.global_f.is_null();
         let adds_k = batch.request & request::TANGENT != 0 && !batch.csr_values.is_null();
         let mut length = checked.count.div_ceil(parts * ROUNDS).max(WORTH_A_ROUND);
         let mut owners = None;
         if adds_f || adds_k {
-            let nodes = usize::try_from(batch.global_nodes).map_err(|_| NO_MEMORY)?;
-            owners = Some(Owners::new(nodes).ok_or(NO_MEMORY)?);
+            let nodes = usize::try_from(batch.global_nodes).ok()?;
+            owners = Some(Owners::new(nodes)?);
             let unknowns = checked.unknowns();
             let numbers = if adds_k {
                 unknowns * unknowns
@@ -122,23 +126,23 @@ impl<'a> Round<'a> {
             length = length.min(MOST_WRITTEN / numbers.max(1));
         }
         let even = checked.count.div_ceil(parts);
-        Ok(Self {
+        Some(Self {
             checked,
             width,
             owners,
             parts,
-            length: length.min(even).next_multiple_of(FEWEST),
+            length: length.min(even).max(1).next_multiple_of(FEWEST),
         })
     }
 
     /// Parts with a workspace each.
-    fn parts(&self) -> Result<Vec<Part>, Fault> {
+    fn parts(&self) -> Option<Vec<Part>> {
         let needed = self.checked.element.workspace(self.checked.nodes);
         let mut parts = Vec::new();
-        parts.try_reserve_exact(self.parts).map_err(|_| NO_MEMORY)?;
+        parts.try_reserve_exact(self.parts).ok()?;
         for _ in 0..self.parts {
             let mut workspace = Vec::new();
-            workspace.try_reserve_exact(needed).map_err(|_| NO_MEMORY)?;
+            workspace.try_reserve_exact(needed).ok()?;
             workspace.resize(needed, 0.0);
             parts.push(Part {
                 first: 0,
@@ -149,7 +153,7 @@ impl<'a> Round<'a> {
                 failures: Failures::NONE,
             });
         }
-        Ok(parts)
+        Some(parts)
     }
 
     /// All rounds.

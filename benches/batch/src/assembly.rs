@@ -1,6 +1,6 @@
 //! Assembly of contacts on a grid of facets: threads, share of the kernels, candidates that are open.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use crate::grid::{Grid, Into, Room};
 use crate::{Way, print};
@@ -32,31 +32,97 @@ fn way<'a>(name: &str, run: impl FnMut() + 'a) -> Way<'a> {
     }
 }
 
-/// One thread and two, and what of the assembly the kernels take.
+/// One thread and two. Rounds count in which both processors were free, by arithmetic alone before and after.
 pub fn threads(rounds: usize) {
     for (title, into) in [
         ("R and K of every contact", Into::Own),
         ("R and K into CSR", Into::Csr),
         ("R into a vector", Into::Vector),
     ] {
-        let grids = [0, 1, 2].map(|_| Grid::new(SIDE));
-        let x = grids[0].positions(1, 5);
-        let count = grids[0].count;
-        let mut ways: Vec<Way<'_>> = ["no threads", "1 thread", "2 threads"]
+        let mut grid = Grid::new(SIDE);
+        let (x, count, mut room) = (grid.positions(1, 5), grid.count, Room::default());
+        let mut times = [vec![], vec![], vec![]];
+        let mut ratios = vec![];
+        for _ in 0..rounds {
+            // others' turn: a scheduler that gives this process all it wants takes it back for longer otherwise
+            std::thread::sleep(Duration::from_millis(100));
+            let free = both_free();
+            let own = [0, 1, 2].map(|threads| {
+                let (start, used) = (Instant::now(), processor_time());
+                let closed = grid.evaluate(&x, into, threads, &mut room);
+                assert_eq!(closed, count);
+                [start.elapsed().as_secs_f64(), processor_time() - used]
+            });
+            if free && both_free() {
+                for (times, own) in times.iter_mut().zip(own) {
+                    times.push(own);
+                }
+                ratios.push([own[0][0] / own[2][0], own[2][1] / own[0][1]]);
+            }
+        }
+        println!(
+            "\n{count} contacts, {title}; {} of {rounds} rounds",
+            ratios.len()
+        );
+        println!(
+            "| way | ns, wall, median | least | ns, processors, median |\n|---|---:|---:|---:|"
+        );
+        for (name, times) in ["no threads", "1 thread", "2 threads"]
             .into_iter()
-            .zip(grids)
-            .enumerate()
-            .map(|(threads, (name, mut grid))| {
-                let (x, mut room) = (&x, Room::default());
-                way(name, move || {
-                    let closed = grid.evaluate(x, into, threads as i32, &mut room);
-                    assert_eq!(closed, grid.count);
-                })
-            })
-            .collect();
-        measure(&mut ways, rounds, count);
-        print(&format!("{count} contacts, wall time, {title}"), &mut ways);
+            .zip(&times)
+        {
+            let [wall, used] = [0, 1].map(|i| sorted(times, i, 1e9 / count as f64));
+            let [Some(least), Some(median), Some(used)] = [
+                wall.first(),
+                wall.get(wall.len() / 2),
+                used.get(used.len() / 2),
+            ] else {
+                continue;
+            };
+            println!("| {name} | {median:.0} | {least:.0} | {used:.0} |");
+        }
+        let [wall, used] = [0, 1].map(|i| sorted(&ratios, i, 1.0));
+        let half = wall.len() / 2;
+        if let (Some(wall), Some(most), Some(used)) = (wall.get(half), wall.last(), used.get(half))
+        {
+            println!(
+                "\n2 threads {wall:.2} times as fast, at most {most:.2}; processor time times {used:.2}"
+            );
+        }
     }
+}
+
+fn sorted(times: &[[f64; 2]], which: usize, scale: f64) -> Vec<f64> {
+    let mut list: Vec<f64> = times.iter().map(|times| scale * times[which]).collect();
+    list.sort_by(f64::total_cmp);
+    list
+}
+
+/// Time of all threads of this process [s].
+fn processor_time() -> f64 {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
+    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
+}
+
+/// True where two threads do twice as much as one.
+fn both_free() -> bool {
+    let spin = || {
+        let (start, mut value) = (Instant::now(), 1u64);
+        for i in 0..40_000_000 {
+            value = value
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(i);
+        }
+        std::hint::black_box(value);
+        start.elapsed().as_secs_f64()
+    };
+    let alone = spin();
+    let start = Instant::now();
+    std::thread::scope(|scope| {
+        scope.spawn(spin);
+        spin();
+    });
+    2.0 * alone / start.elapsed().as_secs_f64() > 1.8
 }
 
 /// Kernels alone against kernels and sums.

@@ -204,7 +204,7 @@ fn several_points() {
 
 #[test]
 fn multipliers() {
-    check(Multiplied::DESCRIPTOR, [100, 2300]);
+    check(Multiplied::DESCRIPTOR, [100, 5000]);
 }
 
 #[test]

@@ -28,9 +28,9 @@ use crate::runtime::Width;
 /// A part has at least so many contacts: blocks of the kernels in lanes stay full.
 const FEWEST: usize = 16;
 /// Rounds of a large batch, for threads whose parts take longer than others.
-const ROUNDS: usize = 8;
+const ROUNDS: usize = 2;
 /// Fewest contacts of a part, where there are several rounds: threads wait for each other three times in a round.
-const WORTH_A_ROUND: usize = 1024;
+const WORTH_A_ROUND: usize = 2048;
 /// Most numbers that a part may have to write down, for every point.
 const MOST_WRITTEN: usize = 1 << 22;
 /// Numbers that are added by one thread.

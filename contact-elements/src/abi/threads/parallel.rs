@@ -28,7 +28,7 @@ use crate::runtime::Width;
 /// A part has at least so many contacts: blocks of the kernels in lanes stay full.
 const FEWEST: usize = 16;
 /// Rounds of a large batch, for threads whose parts take longer than others.
-const ROUNDS: usize = 2;
+const ROUNDS: usize = 4;
 /// Fewest contacts of a part, where there are several rounds: threads wait for each other three times in a round.
 const WORTH_A_ROUND: usize = 2048;
 /// Most numbers that a part may have to write down, for every point.
@@ -112,7 +112,7 @@ impl<'a> Round<'a> {
         let batch = checked.batch;
         let adds_f = batch.request & request::RESIDUAL != 0 && !batch.global_f.is_null();
         let adds_k = batch.request & request::TANGENT != 0 && !batch.csr_values.is_null();
-        let mut length = checked.count.div_ceil(parts * ROUNDS).max(WORTH_A_ROUND);
+        let mut most = checked.count.div_ceil(parts * ROUNDS).max(WORTH_A_ROUND);
         let mut owners = None;
         if adds_f || adds_k {
             let nodes = usize::try_from(batch.global_nodes).ok()?;
@@ -123,15 +123,17 @@ impl<'a> Round<'a> {
             } else {
                 unknowns
             };
-            length = length.min(MOST_WRITTEN / numbers.max(1));
+            most = most.min(MOST_WRITTEN / numbers.max(1)).max(FEWEST);
         }
-        let even = checked.count.div_ceil(parts);
+        // all rounds and parts of one size
+        let rounds = checked.count.div_ceil(parts * most);
+        let even = checked.count.div_ceil(parts * rounds.max(1));
         Some(Self {
             checked,
             width,
             owners,
             parts,
-            length: length.min(even).max(1).next_multiple_of(FEWEST),
+            length: even.next_multiple_of(FEWEST),
         })
     }
 

@@ -66,7 +66,7 @@ impl<'a> Checked<'a> {
             parameter_stride: 0,
             f_scale: scale(batch.f_scale)?,
             k_scale: scale(batch.k_scale)?,
-            turn: Turn::default(),
+            turn: Turn::FREE,
         };
         if count > 0 {
             checked.check_pointers()?;

@@ -351,7 +351,7 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
         dimension: element.dimension,
         csr_values: core::ptr::null_mut(),
         csr_map: core::ptr::null(),
-        turn: Turn::default(),
+        turn: Turn::FREE,
         output: if_wanted(request::OUTPUT, arguments.output),
         history: if_wanted(request::HISTORY, arguments.hist_new).cast(),
         energy: if_wanted(request::ENERGY, arguments.energy),

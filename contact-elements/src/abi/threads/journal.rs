@@ -94,7 +94,7 @@ impl Journal {
     }
 }
 
-/// Who adds to shared entries: the part at work to those of its own nodes. Default: one thread, to all of them.
+/// Who adds to shared entries: the part at work to those of its own nodes.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::abi) struct Turn {
     journal: *mut Journal,
@@ -104,18 +104,15 @@ pub(in crate::abi) struct Turn {
     positions: usize,
 }
 
-impl Default for Turn {
-    fn default() -> Self {
-        Self {
-            journal: core::ptr::null_mut(),
-            marks: core::ptr::null(),
-            mark: 0,
-            positions: 0,
-        }
-    }
-}
-
 impl Turn {
+    /// One thread, to all of them.
+    pub(in crate::abi) const FREE: Self = Self {
+        journal: core::ptr::null_mut(),
+        marks: core::ptr::null(),
+        mark: 0,
+        positions: 0,
+    };
+
     /// The turn of a part, as long as its journal and the marks live.
     pub(super) fn new(
         journal: *mut Journal,

@@ -52,11 +52,13 @@ fn all(checked: Checked<'_>, _: usize) -> Result<Failures, Fault> {
 
 /// Who adds to shared entries: one thread, to all of them.
 #[cfg(not(feature = "threads"))]
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Turn;
 
 #[cfg(not(feature = "threads"))]
 impl Turn {
+    pub(super) const FREE: Self = Self;
+
     #[inline(always)]
     pub(super) fn is_free(&self) -> bool {
         true

@@ -14,6 +14,9 @@ use peers::Peer;
 use states::States;
 use work::{Work, Workspace};
 
+/// Measures so many rounds.
+type Table = fn(usize);
+
 /// One way to do some work.
 struct Way<'a> {
     name: String,
@@ -49,7 +52,7 @@ fn main() {
         }
         table(title, states, work, &peers);
     }
-    let many: [(&str, fn(usize)); 3] = [
+    let many: [(&str, Table); 3] = [
         ("threads", assembly::threads),
         ("assembly", assembly::assembly),
         ("candidates", assembly::candidates),

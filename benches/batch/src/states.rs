@@ -73,7 +73,7 @@ impl States {
             states.x.extend((0..3).map(|k| x[k] + gap * n[k] / length));
             states.x.extend(nodes.iter().flatten());
             states.exact.extend([1.0, zeta[0], zeta[1]]);
-            let angle = random.within(0.0, 6.28);
+            let angle = random.within(0.0, core::f64::consts::TAU);
             let near = [zeta[0] + 0.05 * angle.cos(), zeta[1] + 0.05 * angle.sin()];
             states.near.extend([1.0, near[0], near[1]]);
         }

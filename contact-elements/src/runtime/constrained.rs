@@ -20,8 +20,8 @@ const MOST_HALVINGS: u32 = 40;
 const ON_BOUND: f64 = 1e-13;
 /// Steps below this, relative to the extent, end the search.
 const SMALL_STEP: f64 = 1e-9;
-/// Free steps that are still larger than this, relative to the extent, lead to no minimum.
-const POLISHED: f64 = 1e-6;
+/// Free steps that lead farther than this from the end of the search, relative to the extent, lead to no minimum.
+const POLISHED: f64 = 0.05;
 
 /// The kinematics, as a call: the search is rare, so its size counts more than its time.
 #[inline(never)]
@@ -111,21 +111,21 @@ fn polish<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     iterations: u32,
     rows: &mut Rows<'_, P>,
 ) -> Result<Projected<D, P, H>, Status> {
+    let start = zeta;
     let mut vectors = kinematics::<E, D, P, H>(x, &zeta, parameters, rows);
-    let mut size: f64 = 0.0;
     for _ in 0..3 {
         let change = step::<E, D, P, H>(&vectors)?.change;
-        size = 0.0;
         for i in 0..P {
             zeta[i] += limited(change[i], extent[i]);
-            size = size.max(abs(change[i]) / extent[i]);
         }
         vectors = kinematics::<E, D, P, H>(x, &zeta, parameters, rows);
     }
     step::<E, D, P, H>(&vectors)?;
-    // the search stood still where there is no minimum
-    if size > POLISHED {
-        return Err(Status::NotConverged);
+    for i in 0..P {
+        // the search stood still where there is no minimum
+        if abs(zeta[i] - start[i]) > POLISHED * extent[i] {
+            return Err(Status::NotConverged);
+        }
     }
     Ok(Projected {
         zeta,

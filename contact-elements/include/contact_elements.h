@@ -126,6 +126,13 @@ extern "C" {
                                 * in hist_old says. Needs hist_old. */
 #define CTE_SYMMETRISE 64u     /* write (K + K^T)/2; with friction no longer the exact tangent */
 #define CTE_PROJECTION_GIVEN 128u /* hist_old holds the projection itself: no iteration. Needs hist_old. */
+#define CTE_SCREEN 256u /* batches: a contact that is open wherever on its facet the projection lies need not be
+                         * projected. Nothing changes but what is known of such a contact: status OPEN, also where
+                         * the projection lies outside or fails; in output a lower bound of the gap, the projection
+                         * as in hist_old (without: the middle) and zeros; in hist_new status OPEN and that
+                         * projection; its history is not looked at unless asked for. How many are left out depends
+                         * on the processor. No effect on one call, with CTE_FREEZE_STATE or CTE_PROJECTION_GIVEN.
+                         * Points against segments in 2D, flat triangles and bilinear facets, penalty */
 
 /* ------------------------------------------------------------------ status of a contact point
  * The element's status is the one of its worst point, in the order

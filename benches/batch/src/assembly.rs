@@ -163,15 +163,22 @@ pub fn candidates(rounds: usize) {
         ("R into a vector", Into::Vector),
     ] {
         let mut all = Grid::new(SIDE);
+        let mut screened = Grid::new(SIDE);
+        screened.screens = true;
         let mut closed = all.thinned(APART);
         let x: Vec<Vec<f64>> = (0..GRIDS).map(|seed| all.positions(APART, seed)).collect();
         let (count, few) = (all.count, closed.count);
-        let (x, mut rooms) = (&x, [(); 2].map(|()| Room::default()));
-        let [room, own] = &mut rooms;
+        let (x, mut rooms) = (&x, [(); 3].map(|()| Room::default()));
+        let [room, screened_room, own] = &mut rooms;
         let mut ways = vec![
             way("all candidates", move || {
                 for x in x {
                     assert_eq!(all.evaluate(x, into, 0, room), few);
+                }
+            }),
+            way("all candidates, screened", move || {
+                for x in x {
+                    assert_eq!(screened.evaluate(x, into, 0, screened_room), few);
                 }
             }),
             way("the closed ones alone", move || {

@@ -25,6 +25,8 @@ pub struct Grid {
     csr_values: Vec<f64>,
     /// Time of `cte_csr_map` [s].
     pub map_time: f64,
+    /// Leaves open contacts unprojected.
+    pub screens: bool,
 }
 
 /// Where the outputs go.
@@ -61,6 +63,7 @@ impl Grid {
             global_f: vec![],
             csr_values: vec![],
             map_time: 0.0,
+            screens: false,
         };
         for facet in 0..count {
             let corner = facet % side + facet / side * (side + 1);
@@ -151,6 +154,7 @@ impl Grid {
             global_f: self.global_f.clone(),
             csr_values: self.csr_values.clone(),
             map_time: 0.0,
+            screens: false,
         }
     }
 
@@ -174,6 +178,9 @@ impl Grid {
         batch.request = request::RESIDUAL;
         if !matches!(into, Into::Vector) {
             batch.request |= request::TANGENT;
+        }
+        if self.screens {
+            batch.request |= request::SCREEN;
         }
         (batch.x, batch.global_nodes) = (x.as_ptr(), (x.len() / 3) as i64);
         (batch.parameters, batch.parameter_count) = (PARAMETERS.as_ptr(), 3);

@@ -5,11 +5,14 @@ use core::cell::Cell;
 
 use super::batch_check::{Checked, Layout};
 use super::evaluate::{fault_of, history, parameters, slave_row, wanted, workspace};
+use super::screen::Screening;
 use super::sizes::{Fault, reported, slave_count};
 use super::target::Target;
 use super::types::{Batch, is_whole};
 use super::{Descriptor, OUTPUT_SIZE, argument, code, request};
-use crate::runtime::{Call, Contacts, Coordinates, Nodes, Status, Wanted, Width};
+use crate::runtime::{
+    AllPlaces, Call, Contacts, Coordinates, Nodes, Places, ROOM, Status, Wanted, Width, one_by_one,
+};
 
 /// `cte_element_batch_workspace`.
 ///
@@ -33,7 +36,7 @@ pub unsafe fn element_batch_workspace(element: *const Descriptor, nslave: i32) -
 /// the shapes that the header gives, or is null.
 pub unsafe fn element_evaluate_batch(element: *const Descriptor, n: i64, batch: *mut Batch) -> i32 {
     // SAFETY: promised by the caller.
-    unsafe { element_evaluate_batch_in(element, n, batch, Width::chosen()) }
+    unsafe { element_evaluate_batch_in(element, n, batch, Width::widest()) }
 }
 
 /// [`element_evaluate_batch`] with at most so many lanes.
@@ -124,18 +127,15 @@ pub(super) fn evaluate(checked: Checked<'_>, memory: &mut [f64], width: Width) -
     // SAFETY: promised by the caller of the batch; there is a first contact.
     let shared = unsafe { checked.parameters_of(0) };
     let mut run = Run {
+        screening: Screening::new(&checked),
         checked,
         shared,
         memory,
         failures: Failures::NONE,
     };
     match element.lanes {
-        Some(kernel) if run.count() > 1 => kernel(&mut run, width),
-        _ => {
-            for contact in 0..run.count() {
-                run.evaluate_alone(contact);
-            }
-        }
+        Some(kernel) if run.checked.count > 1 => kernel(&mut run, width),
+        _ => one_by_one(&mut run),
     }
     run.failures
 }
@@ -146,11 +146,19 @@ pub struct Run<'a> {
     /// Parameters of the first contact.
     shared: Result<&'a [f64], Fault>,
     memory: &'a mut [f64],
+    pub(super) screening: Screening,
     failures: Failures,
 }
 
 impl Run<'_> {
-    fn note(&mut self, contact: usize, status: Status, (code, argument, _): Fault) {
+    /// The contacts as they were checked.
+    #[inline]
+    pub(super) fn checked(&self) -> &Checked<'_> {
+        &self.checked
+    }
+
+    #[inline]
+    pub(super) fn note(&mut self, contact: usize, status: Status, (code, argument, _): Fault) {
         let batch = self.checked.batch;
         // SAFETY: promised by the caller: one entry per contact.
         unsafe {
@@ -172,8 +180,8 @@ impl Contacts for Run<'_> {
     type Receiver = Target;
 
     #[inline(always)]
-    fn count(&self) -> usize {
-        self.checked.count
+    fn next(&mut self, numbers: &mut [usize; ROOM]) -> usize {
+        self.next_to_evaluate(numbers)
     }
 
     #[inline(always)]
@@ -213,17 +221,27 @@ impl Contacts for Run<'_> {
     }
 
     #[inline(always)]
-    fn blocks(&self) -> Option<(&[f64], usize)> {
-        let (batch, x) = (self.checked.batch, self.checked.x);
-        let is_dense = x.component == 1 && x.node == self.checked.element.dimension;
-        if !is_dense || !batch.u.is_null() || !batch.connectivity.is_null() {
+    fn places(&self) -> Option<AllPlaces<'_>> {
+        let (checked, batch) = (&self.checked, self.checked.batch);
+        let places = |values: *const f64, layout: Layout| Places {
+            // SAFETY: promised by the caller; the length fits the memory.
+            values: unsafe { core::slice::from_raw_parts(values, layout.length) },
+            contact_stride: layout.element,
+            node_stride: layout.node,
+        };
+        let has_displacements = !batch.u.is_null();
+        if checked.x.component != 1 || has_displacements && checked.u.component != 1 {
             return None;
         }
-        // SAFETY: promised by the caller; the length fits the memory.
-        Some((
-            unsafe { core::slice::from_raw_parts(batch.x, x.length) },
-            x.element,
-        ))
+        Some(AllPlaces {
+            x: places(batch.x, checked.x),
+            u: has_displacements.then(|| places(batch.u, checked.u)),
+            connectivity: (!batch.connectivity.is_null()).then(|| {
+                let length = checked.count * checked.nodes;
+                // SAFETY: promised by the caller; the length fits the memory.
+                unsafe { core::slice::from_raw_parts(batch.connectivity, length) }
+            }),
+        })
     }
 
     #[inline(always)]
@@ -275,7 +293,7 @@ impl<'a> Checked<'a> {
     /// # Safety
     /// As [`element_evaluate_batch`].
     #[inline(always)]
-    unsafe fn history_of(&self, e: usize) -> Option<&'a [Cell<f64>]> {
+    pub(super) unsafe fn history_of(&self, e: usize) -> Option<&'a [Cell<f64>]> {
         // SAFETY: promised by the caller.
         unsafe {
             let old = shifted(self.batch.hist_old, e * self.element.history());
@@ -346,7 +364,7 @@ impl<'a> Checked<'a> {
     /// # Safety
     /// As [`element_evaluate_batch`].
     #[inline(always)]
-    unsafe fn target(&self, e: usize) -> Target {
+    pub(super) unsafe fn target(&self, e: usize) -> Target {
         let batch = self.batch;
         let unknowns = self.unknowns();
         let at = |bit: u32, pointer: *mut f64, stride: usize| {

@@ -76,6 +76,7 @@ pub mod request {
     pub const FREEZE_STATE: u32 = 32;
     pub const SYMMETRISE: u32 = 64;
     pub const PROJECTION_GIVEN: u32 = 128;
+    pub const SCREEN: u32 = 256;
 }
 
 /// Kinds of unknowns: displacement or tangent vector, plus the component 0, 1, 2; multiplier.

@@ -54,16 +54,18 @@ pub unsafe fn csr_map(
             _ => return code::INDEX,
         }
     };
-    let pairs = move || (0..unknowns).flat_map(move |i| (0..unknowns).map(move |j| (i, j)));
-    let all = || (0..n).flat_map(|e| pairs().map(move |(i, j)| (e, i, j)));
-    let place = |(e, i, j)| pattern.position(e, i, j);
     // everything is looked up before anything is written
-    if !all().all(|at| place(at).is_some()) {
+    if (0..n).any(|e| pattern.positions(e, unknowns, |_| {}).is_none()) {
         return code::INDEX;
     }
-    for (number, at) in all().enumerate() {
-        // SAFETY: the map has n · unknowns² entries.
-        unsafe { *map.add(number) = place(at).unwrap_or(0) as i64 };
+    let mut number = 0;
+    for e in 0..n {
+        let found = pattern.positions(e, unknowns, |position| {
+            // SAFETY: the map has n · unknowns² entries.
+            unsafe { *map.add(number) = position as i64 };
+            number += 1;
+        });
+        debug_assert!(found.is_some());
     }
     code::SUCCESS
 }
@@ -86,13 +88,25 @@ impl Pattern<'_> {
         (row + 1 < self.starts.len()).then_some(row)
     }
 
-    /// Where entry (i, j) of element `e` stands.
-    fn position(&self, e: usize, i: usize, j: usize) -> Option<usize> {
-        let (row, wanted) = (self.row(e, i)?, self.row(e, j)?);
-        let start = usize::try_from(*self.starts.get(row)?).ok()?;
-        let end = usize::try_from(*self.starts.get(row + 1)?).ok()?;
-        let wanted = i32::try_from(wanted).ok()?;
-        let found = self.columns.get(start..end)?.binary_search(&wanted).ok()?;
-        Some(start + found)
+    /// Where the entries of element `e` stand, row by row; none where one is missing.
+    fn positions(&self, e: usize, unknowns: usize, mut take: impl FnMut(usize)) -> Option<()> {
+        for i in 0..unknowns {
+            let row = self.row(e, i)?;
+            let start = usize::try_from(*self.starts.get(row)?).ok()?;
+            let end = usize::try_from(*self.starts.get(row + 1)?).ok()?;
+            let columns = self.columns.get(start..end)?;
+            let mut next = 0;
+            for j in 0..unknowns {
+                let wanted = i32::try_from(self.row(e, j)?).ok()?;
+                // the components of a node stand side by side
+                let found = match columns.get(next) {
+                    Some(&column) if column == wanted => next,
+                    _ => columns.binary_search(&wanted).ok()?,
+                };
+                take(start + found);
+                next = found + 1;
+            }
+        }
+        Some(())
     }
 }

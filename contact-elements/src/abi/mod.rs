@@ -15,6 +15,7 @@ mod messages;
 mod patch;
 mod project;
 mod safe;
+mod screen;
 mod sides;
 mod sizes;
 mod target;
@@ -42,7 +43,7 @@ pub use types::{ApiTable, Arguments, Batch, Info};
 
 use crate::program::{MasterDescription, SlaveDescription};
 use crate::runtime::{
-    Call, Domain, Enforcement, HistoryLayout, InputError, Layout, Nodes, Summary, Width,
+    Call, Domain, Enforcement, HistoryLayout, InputError, Layout, Nodes, SCREENED, Summary, Width,
     can_be_anchor, can_be_projection, is_side,
 };
 
@@ -57,6 +58,9 @@ pub type Kernel = fn(&Call<'_>, &Nodes<'_>, &mut [f64], &mut Target) -> Result<S
 
 /// The kernel of an element for many contacts at once.
 pub type BatchKernel = fn(&mut Run<'_>, Width);
+
+/// Which contacts of an element are open wherever their projection lies, and lower bounds of their gaps.
+pub type ScreenKernel = fn(&Run<'_>, (usize, usize), &mut [f64; SCREENED]) -> u32;
 
 /// One parameter of an element; names end with a zero byte.
 #[derive(Clone, Copy, Debug)]
@@ -145,6 +149,8 @@ pub struct Descriptor {
     pub kernel: Kernel,
     /// The kernel in lanes, where the declaration asks for one.
     pub lanes: Option<BatchKernel>,
+    /// What tells open contacts without their projection, where something can.
+    pub screen: Option<ScreenKernel>,
 }
 
 impl Descriptor {
@@ -257,6 +263,9 @@ impl Descriptor {
         }
         if self.energy {
             bits |= request::ENERGY;
+        }
+        if self.screen.is_some() {
+            bits |= request::SCREEN;
         }
         bits
     }

@@ -32,7 +32,7 @@ pub struct Nodes<'a> {
 }
 
 /// Largest magnitude of a coordinate [length].
-const LARGEST: f64 = 1e30;
+pub(super) const LARGEST: f64 = 1e30;
 
 /// True for finite values within the supported magnitude; looks at the bits only, so that a signalling
 /// NaN raises nothing.

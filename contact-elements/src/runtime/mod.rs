@@ -41,7 +41,10 @@ mod transfer;
 mod values;
 
 pub use angle::{AngleCoefficients, AngleForm, Blend};
-pub use batch::{Contacts, Width, evaluate_batch};
+pub use batch::{
+    AllPlaces, Contacts, Places, ROOM, SCREENED, Width, evaluate_batch, is_screened, one_by_one,
+    screen,
+};
 pub use contraction::{Temporaries, contract};
 pub use driver::{Stage, evaluate};
 pub use element::{Element, Layout, Search, can_divide};

@@ -190,6 +190,8 @@ pub trait NormalLaw {
     const PARAMETERS: usize;
     /// True where the law declares its energy.
     const ENERGY: bool;
+    /// True where the law acts below some gap, false where above.
+    const CLOSES_BELOW: bool;
     /// Positive where the law acts.
     fn active<T: Real>(gap: T, parameters: &[T]) -> T;
     /// Positive where the law is defined.

@@ -17,6 +17,8 @@ pub mod request {
     pub const OUTPUT: u32 = 8;
     /// `CTE_ENERGY`.
     pub const ENERGY: u32 = 16;
+    /// `CTE_SCREEN`.
+    pub const SCREEN: u32 = 256;
 }
 
 /// Arrays and pointers that can be null.

@@ -47,7 +47,7 @@ pub unsafe fn element_evaluate_batch_threads(
 /// Evaluates all contacts on this thread.
 #[cfg(not(feature = "threads"))]
 fn all(checked: Checked<'_>, _: usize) -> Result<Failures, Fault> {
-    super::batch::all(checked, crate::runtime::Width::chosen())
+    super::batch::all(checked, crate::runtime::Width::widest())
 }
 
 /// Who adds to shared entries: one thread, to all of them.

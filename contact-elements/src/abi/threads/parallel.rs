@@ -54,7 +54,7 @@ fn pool() -> Option<&'static ThreadPool> {
 
 /// Evaluates all contacts by several threads; 0: one per processor.
 pub(super) fn all(checked: Checked<'_>, threads: usize) -> Result<Failures, Fault> {
-    let width = Width::chosen();
+    let width = Width::widest();
     let most = checked.count.div_ceil(FEWEST);
     if threads == 1 || most < 2 {
         return batch::all(checked, width);

@@ -4,7 +4,7 @@ use super::wide::Wide;
 use crate::runtime::element::Element;
 
 /// Contacts of a block.
-pub(super) const ROOM: usize = 16;
+pub const ROOM: usize = 16;
 
 /// Most parameters of an element that is evaluated in lanes.
 pub(super) const MOST_PARAMETERS: usize = 16;

@@ -54,7 +54,12 @@ fn pack<T: Wide, const K: usize>(columns: &[Column; K], slots: &[u8; 8]) -> [T; 
         .enumerate()
         .all(|(lane, &slot)| usize::from(slot) == first + lane)
     {
-        return core::array::from_fn(|i| load_lanes(&columns[i], first));
+        // loops: from_fn of many values is not inlined, and then passes the lanes through memory
+        let mut lanes = [T::constant(0.0); K];
+        for (to, column) in lanes.iter_mut().zip(columns) {
+            *to = load_lanes(column, first);
+        }
+        return lanes;
     }
     let mut packed = [[0.0; 8]; K];
     for (to, column) in packed.iter_mut().zip(columns) {
@@ -62,7 +67,11 @@ fn pack<T: Wide, const K: usize>(columns: &[Column; K], slots: &[u8; 8]) -> [T; 
             *to = column.at(usize::from(slot));
         }
     }
-    core::array::from_fn(|i| T::load(&packed[i]))
+    let mut lanes = [T::constant(0.0); K];
+    for (to, from) in lanes.iter_mut().zip(&packed) {
+        *to = T::load(from);
+    }
+    lanes
 }
 
 /// The records of some closed contacts; false where one of them leaves the common path.

@@ -1,6 +1,7 @@
 //! How many lanes the processor has, asked once.
 
 use super::Contacts;
+use super::block::ROOM;
 #[cfg(target_arch = "x86_64")]
 use super::evaluate;
 use crate::runtime::element::Element;
@@ -41,14 +42,6 @@ impl Width {
     #[cfg(not(target_arch = "x86_64"))]
     pub fn widest() -> Self {
         Width::One
-    }
-}
-
-impl Width {
-    /// What a batch runs in where nobody says otherwise: eight lanes only on demand, since their instructions have been
-    /// compiled but run on no processor yet.
-    pub fn chosen() -> Self {
-        Self::widest().min(Width::Four)
     }
 }
 
@@ -109,10 +102,17 @@ pub fn evaluate_batch<
         #[cfg(target_arch = "x86_64")]
         // SAFETY: the processor has AVX-512.
         Width::Eight => unsafe { eight::<E, C, D, P, H, N>(contacts, vectors) },
-        _ => {
-            for contact in 0..contacts.count() {
-                contacts.evaluate_alone(contact);
-            }
+        _ => one_by_one(contacts),
+    }
+}
+
+/// Evaluates all contacts by the kernel of one.
+#[inline]
+pub fn one_by_one<C: Contacts>(contacts: &mut C) {
+    let mut numbers = [0; ROOM];
+    while let length @ 1.. = contacts.next(&mut numbers) {
+        for &number in numbers.iter().take(length) {
+            contacts.evaluate_alone(number);
         }
     }
 }

@@ -4,50 +4,69 @@ use core::cell::Cell;
 
 use super::Contacts;
 use super::block::{Column, Inputs, ROOM};
-use crate::runtime::gather::{Nodes, are_usable};
+use super::point::store_lanes;
+use super::wide::Wide;
+use crate::runtime::gather::are_usable;
 
-/// Takes the inputs of `length` contacts; one bit for each whose inputs can be used.
-#[inline(never)]
-pub(super) fn gather<C: Contacts, const D: usize, const P: usize, const N: usize>(
+/// Takes the inputs of the first `length` contacts; one bit for each whose inputs can be used. The list goes on with
+/// the last number.
+#[inline(always)]
+pub(super) fn gather<C: Contacts, T: Wide, const D: usize, const P: usize, const N: usize>(
     contacts: &C,
-    (first, length): (usize, usize),
+    (numbers, length): (&[usize; ROOM + 8], usize),
     (vectors, centre): (&[bool; N], &[f64; P]),
     inputs: &mut Inputs<'_, D, P, N>,
 ) -> u32 {
-    let are_same = contacts.have_same_parameters();
-    let blocks = if vectors.contains(&true) {
-        None
-    } else {
-        contacts.blocks()
-    };
     let mut good = 0;
-    for slot in 0..length.min(ROOM) {
-        let contact = first + slot;
-        if !start(contacts.history(contact), centre, inputs, slot) {
-            continue;
-        }
-        let are_usable = match blocks {
-            Some((values, apart)) => {
-                let block = values.get(contact * apart..);
-                block.is_some_and(|block| dense(block, inputs.x, slot))
-            }
-            None => positions(&contacts.nodes(contact), vectors, inputs.x, slot),
+    for group in (0..length).step_by(T::WIDTH) {
+        let Some(own) = numbers.get(group..).and_then(<[usize]>::first_chunk) else {
+            break;
         };
-        if are_usable && (are_same || own_parameters(contacts, contact, inputs, slot)) {
+        let mut x = [[T::constant(0.0); D]; N];
+        let usable = T::positions(contacts, vectors, own, &mut x);
+        for (columns, x) in inputs.x.iter_mut().zip(x) {
+            for k in 0..D {
+                store_lanes(x[k], &mut columns[k], group);
+            }
+        }
+        good |= usable << group;
+    }
+    good & others(contacts, (numbers, length), centre, inputs)
+}
+
+/// Start of the search and parameters; one bit for each contact that has them.
+#[inline(never)]
+fn others<C: Contacts, const D: usize, const P: usize, const N: usize>(
+    contacts: &C,
+    (numbers, length): (&[usize; ROOM + 8], usize),
+    centre: &[f64; P],
+    inputs: &mut Inputs<'_, D, P, N>,
+) -> u32 {
+    let are_same = contacts.have_same_parameters();
+    let mut good = 0;
+    for (slot, &number) in numbers.iter().enumerate().take(length.min(ROOM)) {
+        if start(contacts.history(number), centre, inputs, slot)
+            && (are_same || own_parameters(contacts, number, inputs, slot))
+        {
             good |= 1 << slot;
         }
     }
-    if are_same {
-        let Some(parameters) = contacts.parameters(first) else {
-            return 0;
-        };
-        if first == 0 {
-            for (column, &value) in inputs.parameters.iter_mut().zip(parameters) {
-                *column = Column([value; ROOM]);
-            }
-        }
-    }
     good
+}
+
+/// Takes the parameters that all contacts share, where they do; false where they are refused.
+#[inline(never)]
+pub(super) fn shared<C: Contacts>(contacts: &C, to: &mut [Column]) -> bool {
+    if !contacts.have_same_parameters() {
+        return true;
+    }
+    let Some(parameters) = contacts.parameters(0) else {
+        return false;
+    };
+    for (column, &value) in to.iter_mut().zip(parameters) {
+        *column = Column([value; ROOM]);
+    }
+    true
 }
 
 /// Takes the parameters of one contact; false where they are refused.
@@ -63,64 +82,6 @@ fn own_parameters<C: Contacts, const D: usize, const P: usize, const N: usize>(
     };
     for (column, &value) in inputs.parameters.iter_mut().zip(parameters) {
         column.set(slot, value);
-    }
-    true
-}
-
-/// Positions relative to the first node, by the rules of one call. [eq:local-origin]
-#[inline(never)]
-fn positions<const D: usize, const N: usize>(
-    nodes: &Nodes<'_>,
-    vectors: &[bool; N],
-    columns: &mut [[Column; D]; N],
-    slot: usize,
-) -> bool {
-    if nodes.check::<D>(N).is_err() {
-        return false;
-    }
-    let (Ok(origin), Ok(shift)) = (nodes.reference::<D>(0), nodes.displacement::<D>(0)) else {
-        return false;
-    };
-    for (a, column) in columns.iter_mut().enumerate() {
-        let (Ok(position), Ok(displacement)) =
-            (nodes.reference::<D>(a), nodes.displacement::<D>(a))
-        else {
-            return false;
-        };
-        for k in 0..D {
-            let value = if vectors.get(a).copied().unwrap_or(false) {
-                position[k] + displacement[k]
-            } else if a == 0 {
-                0.0
-            } else if nodes.u.is_some() {
-                (position[k] - origin[k]) + (displacement[k] - shift[k])
-            } else {
-                position[k] - origin[k]
-            };
-            column[k].set(slot, value);
-        }
-    }
-    true
-}
-
-/// [`positions`] of nodes that stand one after another.
-#[inline(always)]
-fn dense<const D: usize, const N: usize>(
-    block: &[f64],
-    columns: &mut [[Column; D]; N],
-    slot: usize,
-) -> bool {
-    let Some(positions) = block.as_chunks::<D>().0.first_chunk::<N>() else {
-        return false;
-    };
-    let origin = positions[0];
-    if !are_usable(positions.as_flattened()) {
-        return false;
-    }
-    for (column, position) in columns.iter_mut().zip(positions) {
-        for k in 0..D {
-            column[k].set(slot, position[k] - origin[k]);
-        }
     }
     true
 }

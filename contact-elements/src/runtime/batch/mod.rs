@@ -6,7 +6,8 @@
 //! | `wide`, `x86` | what is a lane |
 //! | `dispatch` | how many lanes has this processor |
 //! | `block` | where the values of some contacts stand |
-//! | `inputs` | what do the host's arrays hold |
+//! | `screen` | which contacts are open wherever their projection lies |
+//! | `inputs`, `places` | what do the host's arrays hold |
 //! | `newton` | where is the projection |
 //! | `point` | open, outside, closed or to be evaluated alone |
 //! | `closed` | law and coefficients of the closed ones |
@@ -21,12 +22,17 @@ mod dispatch;
 mod inputs;
 mod newton;
 mod outputs;
+mod places;
 mod point;
+mod screen;
 mod wide;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use dispatch::{Width, evaluate_batch};
+pub use block::ROOM;
+pub use dispatch::{Width, evaluate_batch, one_by_one};
+pub use places::{AllPlaces, Places};
+pub use screen::{SCREENED, is_screened, screen};
 
 use core::cell::Cell;
 
@@ -34,7 +40,7 @@ use super::element::Element;
 use super::gather::Nodes;
 use super::receiver::{Receiver, Wanted};
 use super::values::Status;
-use block::{Block, ROOM, Records};
+use block::{Block, Records};
 pub(super) use wide::{Quad, Wide};
 #[cfg(target_arch = "x86_64")]
 pub(super) use x86::Four;
@@ -43,8 +49,8 @@ pub(super) use x86::Four;
 pub trait Contacts {
     /// Takes the outputs of one contact.
     type Receiver: Receiver;
-    /// How many.
-    fn count(&self) -> usize;
+    /// The numbers of the next contacts to be evaluated, ascending, and how many they are; none: all are done.
+    fn next(&mut self, numbers: &mut [usize; ROOM]) -> usize;
     /// Wanted outputs of each.
     fn wanted(&self) -> Wanted;
     /// True where somebody asks for history or output of a point.
@@ -57,9 +63,8 @@ pub trait Contacts {
     fn history(&self, contact: usize) -> Option<&[Cell<f64>]>;
     /// Nodes of a contact.
     fn nodes(&self, contact: usize) -> Nodes<'_>;
-    /// All positions and how far one contact's are from the next, where those of a contact are one block and there
-    /// are no displacements.
-    fn blocks(&self) -> Option<(&[f64], usize)>;
+    /// All coordinates, where the components of a node stand side by side.
+    fn places(&self) -> Option<AllPlaces<'_>>;
     /// Where the outputs of a contact go.
     fn receiver(&self, contact: usize) -> Self::Receiver;
     /// Evaluates a contact by the kernel of one.
@@ -92,17 +97,38 @@ fn evaluate<
     let form = (vectors, &E::centre());
     let mut block = Block::<D, P, H, N>::new();
     let mut records = Records::<N>::new();
-    let mut first = 0;
-    while first < contacts.count() {
-        let length = (contacts.count() - first).min(ROOM);
-        let place = (first, length);
-        block.good = inputs::gather(contacts, place, form, &mut block.inputs());
+    let mut numbers = [0; ROOM + 8];
+    let has_parameters = inputs::shared(contacts, &mut block.parameters);
+    while let length @ 1.. = next(contacts, &mut numbers) {
+        block.good = inputs::gather::<C, T, D, P, N>(
+            contacts,
+            (&numbers, length),
+            form,
+            &mut block.inputs(),
+        );
+        if !has_parameters {
+            block.good = 0;
+        }
         (block.closed, block.inside) = (0, 0);
         for group in (0..length).step_by(T::WIDTH) {
             point::classify::<E, T, D, P, H, N>(&mut block, group, &wanted);
         }
         closed::load::<E, T, D, P, H, N>(&mut block, &mut records, &wanted);
-        T::write::<C, D, P, N>(&block.points::<E>(), contacts, place, &records);
-        first += length;
+        let own = numbers.get(..length).unwrap_or(&[]);
+        T::write::<C, D, P, N>(&block.points::<E>(), contacts, own, &records);
     }
+}
+
+/// The numbers of the next contacts, the last of them repeated at the end.
+#[inline(always)]
+fn next<C: Contacts>(contacts: &mut C, numbers: &mut [usize; ROOM + 8]) -> usize {
+    let Some(own) = numbers.first_chunk_mut() else {
+        return 0;
+    };
+    let length = contacts.next(own).min(ROOM);
+    let last = numbers.get(length.wrapping_sub(1)).copied().unwrap_or(0);
+    for number in numbers.iter_mut().skip(length) {
+        *number = last;
+    }
+    length
 }

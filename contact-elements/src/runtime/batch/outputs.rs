@@ -19,7 +19,7 @@ const ROW: usize = MOST_UNKNOWNS + 8;
 pub(super) fn write<C: Contacts, T: Wide, const D: usize, const P: usize, const N: usize>(
     points: &Points<'_>,
     contacts: &mut C,
-    (first, length): (usize, usize),
+    numbers: &[usize],
     records: &Records<N>,
 ) {
     let wanted = contacts.wanted();
@@ -31,8 +31,7 @@ pub(super) fn write<C: Contacts, T: Wide, const D: usize, const P: usize, const 
         g: [[0.0; ROW]; P],
         matrix: [[[[0.0; D]; N]; D]; N],
     };
-    for slot in 0..length {
-        let contact = first + slot;
+    for (slot, &contact) in numbers.iter().enumerate() {
         let has = |bits: u32| bits >> slot & 1 != 0;
         let own = rank;
         rank += usize::from(has(points.closed));

@@ -16,7 +16,7 @@ pub(super) fn load_lanes<T: Wide>(column: &Column, group: usize) -> T {
 }
 
 #[inline(always)]
-fn store_lanes<T: Wide>(value: T, column: &mut Column, group: usize) {
+pub(super) fn store_lanes<T: Wide>(value: T, column: &mut Column, group: usize) {
     value.store(column.0.get_mut(group..).unwrap_or(&mut []));
 }
 

@@ -28,9 +28,17 @@ pub trait Wide: Real {
     fn write<C: Contacts, const D: usize, const P: usize, const N: usize>(
         points: &Points<'_>,
         contacts: &mut C,
-        place: (usize, usize),
+        numbers: &[usize],
         records: &Records<N>,
     );
+
+    /// [`places::positions`](super::places::positions), compiled for these lanes.
+    fn positions<C: Contacts, const D: usize, const N: usize>(
+        contacts: &C,
+        vectors: &[bool; N],
+        numbers: &[usize; 8],
+        x: &mut [[Self; D]; N],
+    ) -> u32;
 
     /// How many.
     const WIDTH: usize;
@@ -54,6 +62,11 @@ pub trait Wide: Real {
     /// # Safety
     /// There is room for as many numbers as there are lanes.
     unsafe fn store_at(self, to: *mut f64);
+    /// Four numbers of every contact, from where they begin.
+    ///
+    /// # Safety
+    /// There are four numbers at the first addresses, one for each lane.
+    unsafe fn collect(from: &[*const f64; 8]) -> [Self; 4];
     /// Four numbers of every contact to its record: records are `apart` numbers apart. Nothing where they end.
     fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize);
     /// self < other
@@ -68,6 +81,8 @@ pub trait Wide: Real {
     fn smaller(self, other: Self) -> Self;
     /// `yes` where the mask holds, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Finite and within the supported magnitude, by the bits alone: a signalling NaN raises nothing.
+    fn is_usable(self) -> Self::Mask;
     /// One bit per lane, the first lowest.
     fn bits(mask: Self::Mask) -> u32;
     /// A mask from bits.

@@ -9,8 +9,10 @@ use core::ops::{BitAnd, BitOr, Not};
 use super::Contacts;
 use super::block::{Points, Records};
 use super::outputs::write;
+use super::places::positions;
 use super::wide::{Quad, Wide, operators};
 use crate::runtime::Real;
+use crate::runtime::gather::LARGEST;
 
 /// An expression of intrinsics.
 macro_rules! lanes {
@@ -79,7 +81,7 @@ impl Wide for Four {
     fn write<C: Contacts, const D: usize, const P: usize, const N: usize>(
         points: &Points<'_>,
         contacts: &mut C,
-        place: (usize, usize),
+        numbers: &[usize],
         records: &Records<N>,
     ) {
         #[target_feature(enable = "avx2")]
@@ -87,13 +89,34 @@ impl Wide for Four {
         fn compiled<C: Contacts, const D: usize, const P: usize, const N: usize>(
             points: &Points<'_>,
             contacts: &mut C,
-            place: (usize, usize),
+            numbers: &[usize],
             records: &Records<N>,
         ) {
-            write::<C, Four, D, P, N>(points, contacts, place, records);
+            write::<C, Four, D, P, N>(points, contacts, numbers, records);
         }
         // SAFETY: the processor has these instructions, see the head of the file.
-        unsafe { compiled::<C, D, P, N>(points, contacts, place, records) }
+        unsafe { compiled::<C, D, P, N>(points, contacts, numbers, records) }
+    }
+
+    #[inline(always)]
+    fn positions<C: Contacts, const D: usize, const N: usize>(
+        contacts: &C,
+        vectors: &[bool; N],
+        numbers: &[usize; 8],
+        x: &mut [[Self; D]; N],
+    ) -> u32 {
+        #[target_feature(enable = "avx2")]
+        #[inline(never)]
+        fn compiled<C: Contacts, const D: usize, const N: usize>(
+            contacts: &C,
+            vectors: &[bool; N],
+            numbers: &[usize; 8],
+            x: &mut [[Four; D]; N],
+        ) -> u32 {
+            positions::<C, Four, D, N>(contacts, vectors, numbers, x)
+        }
+        // SAFETY: the processor has these instructions, see the head of the file.
+        unsafe { compiled::<C, D, N>(contacts, vectors, numbers, x) }
     }
 
     #[inline(always)]
@@ -116,6 +139,12 @@ impl Wide for Four {
     #[inline(always)]
     unsafe fn store_at(self, to: *mut f64) {
         lanes!(_mm256_storeu_pd(to, self.0))
+    }
+    #[inline(always)]
+    unsafe fn collect(from: &[*const f64; 8]) -> [Self; 4] {
+        // SAFETY: promised by the caller.
+        let [a, b, c, d] = unsafe { collect_four([from[0], from[1], from[2], from[3]]) };
+        [Self(a), Self(b), Self(c), Self(d)]
     }
     #[inline(always)]
     fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize) {
@@ -144,6 +173,15 @@ impl Wide for Four {
     #[inline(always)]
     fn select(mask: FourMask, yes: Self, no: Self) -> Self {
         Self(lanes!(select_of_four(mask.0, yes.0, no.0)))
+    }
+    #[inline(always)]
+    fn is_usable(self) -> FourMask {
+        // the sign of what is left of the room tells
+        let room = lanes!(_mm256_sub_epi64(
+            _mm256_set1_epi64x(LARGEST.to_bits() as i64),
+            _mm256_castpd_si256(self.abs().0)
+        ));
+        !FourMask(lanes!(_mm256_castsi256_pd(room)))
     }
     #[inline(always)]
     fn bits(mask: FourMask) -> u32 {
@@ -216,6 +254,27 @@ fn deal_four([a, b, c, d]: [__m256d; 4], to: &mut [f64], apart: usize) {
         _mm256_storeu_pd(to.add(2 * apart), third);
         let fourth = _mm256_permute2f128_pd::<0x31>(ab_odd, cd_odd);
         _mm256_storeu_pd(to.add(3 * apart), fourth);
+    }
+}
+
+/// Four numbers of each of four contacts, taken to lanes.
+///
+/// # Safety
+/// There are four numbers at every address.
+#[inline(always)]
+unsafe fn collect_four(from: [*const f64; 4]) -> [__m256d; 4] {
+    // SAFETY: the processor has AVX2, see the head of the file; the numbers are promised by the caller.
+    unsafe {
+        let (a, b) = (_mm256_loadu_pd(from[0]), _mm256_loadu_pd(from[1]));
+        let (c, d) = (_mm256_loadu_pd(from[2]), _mm256_loadu_pd(from[3]));
+        let (ab_even, ab_odd) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
+        let (cd_even, cd_odd) = (_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d));
+        [
+            _mm256_permute2f128_pd::<0x20>(ab_even, cd_even),
+            _mm256_permute2f128_pd::<0x20>(ab_odd, cd_odd),
+            _mm256_permute2f128_pd::<0x31>(ab_even, cd_even),
+            _mm256_permute2f128_pd::<0x31>(ab_odd, cd_odd),
+        ]
     }
 }
 
@@ -293,7 +352,7 @@ impl Wide for Eight {
     fn write<C: Contacts, const D: usize, const P: usize, const N: usize>(
         points: &Points<'_>,
         contacts: &mut C,
-        place: (usize, usize),
+        numbers: &[usize],
         records: &Records<N>,
     ) {
         #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
@@ -301,13 +360,34 @@ impl Wide for Eight {
         fn compiled<C: Contacts, const D: usize, const P: usize, const N: usize>(
             points: &Points<'_>,
             contacts: &mut C,
-            place: (usize, usize),
+            numbers: &[usize],
             records: &Records<N>,
         ) {
-            write::<C, Eight, D, P, N>(points, contacts, place, records);
+            write::<C, Eight, D, P, N>(points, contacts, numbers, records);
         }
         // SAFETY: the processor has these instructions, see the head of the file.
-        unsafe { compiled::<C, D, P, N>(points, contacts, place, records) }
+        unsafe { compiled::<C, D, P, N>(points, contacts, numbers, records) }
+    }
+
+    #[inline(always)]
+    fn positions<C: Contacts, const D: usize, const N: usize>(
+        contacts: &C,
+        vectors: &[bool; N],
+        numbers: &[usize; 8],
+        x: &mut [[Self; D]; N],
+    ) -> u32 {
+        #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
+        #[inline(never)]
+        fn compiled<C: Contacts, const D: usize, const N: usize>(
+            contacts: &C,
+            vectors: &[bool; N],
+            numbers: &[usize; 8],
+            x: &mut [[Eight; D]; N],
+        ) -> u32 {
+            positions::<C, Eight, D, N>(contacts, vectors, numbers, x)
+        }
+        // SAFETY: the processor has these instructions, see the head of the file.
+        unsafe { compiled::<C, D, N>(contacts, vectors, numbers, x) }
     }
 
     #[inline(always)]
@@ -330,6 +410,18 @@ impl Wide for Eight {
     #[inline(always)]
     unsafe fn store_at(self, to: *mut f64) {
         lanes!(_mm512_storeu_pd(to, self.0))
+    }
+    #[inline(always)]
+    unsafe fn collect(from: &[*const f64; 8]) -> [Self; 4] {
+        let [a, b, c, d, e, f, g, h] = *from;
+        // SAFETY: promised by the caller.
+        let (low, high) = unsafe { (collect_four([a, b, c, d]), collect_four([e, f, g, h])) };
+        let mut all = [Self::constant(0.0); 4];
+        for ((to, low), high) in all.iter_mut().zip(low).zip(high) {
+            let low = lanes!(_mm512_castpd256_pd512(low));
+            *to = Self(lanes!(_mm512_insertf64x4::<1>(low, high)));
+        }
+        all
     }
     #[inline(always)]
     fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize) {
@@ -361,6 +453,13 @@ impl Wide for Eight {
     #[inline(always)]
     fn select(mask: EightMask, yes: Self, no: Self) -> Self {
         Self(lanes!(_mm512_mask_blend_pd(mask.0, no.0, yes.0)))
+    }
+    #[inline(always)]
+    fn is_usable(self) -> EightMask {
+        EightMask(lanes!(_mm512_cmple_epu64_mask(
+            _mm512_castpd_si512(self.abs().0),
+            _mm512_set1_epi64(LARGEST.to_bits() as i64)
+        )))
     }
     #[inline(always)]
     fn bits(mask: EightMask) -> u32 {

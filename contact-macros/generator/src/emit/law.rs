@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::{imports, program::Emitted};
 use crate::linearise::law::{bound_program, law_program};
-use crate::model::Law;
+use crate::model::{Bound, Law};
 
 /// The type of a law, its trait implementation and its tables.
 pub fn emit_law(law: &Law) -> TokenStream {
@@ -64,6 +64,7 @@ fn methods(law: &Law, has_valid: bool) -> TokenStream {
     let count = law.parameters.len();
     let inputs: Vec<TokenStream> = (0..count).map(|k| quote! { parameters[#k] }).collect();
     let has_energy = law.energy.is_some();
+    let closes_below = matches!(law.active, Bound::Below(_));
     let (pattern, energy) = if has_energy {
         (quote! { [traction, slope, energy] }, quote! { energy })
     } else {
@@ -82,6 +83,7 @@ fn methods(law: &Law, has_valid: bool) -> TokenStream {
         impl runtime::NormalLaw for #name {
             const PARAMETERS: usize = #count;
             const ENERGY: bool = #has_energy;
+            const CLOSES_BELOW: bool = #closes_below;
             #[inline(always)]
             fn active<T: runtime::Real>(gap: T, parameters: &[T]) -> T {
                 let Some(parameters) = parameters.first_chunk::<#count>() else { return T::constant(-1.0) };

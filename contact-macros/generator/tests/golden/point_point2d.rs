@@ -247,6 +247,7 @@ mod _element_pointpoint2d {
                 >>::EXTENTS,
                 kernel,
                 lanes: None,
+                screen: None,
             };
             &DESCRIPTOR
         };

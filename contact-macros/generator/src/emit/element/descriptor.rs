@@ -41,8 +41,10 @@ impl Facts<'_> {
         let kernel = self.kernel();
         let flags = self.vector_flags();
         let (lanes, lanes_kernel) = self.lanes();
+        let (screen, screen_kernel) = self.screen();
         quote! {
             #lanes_kernel
+            #screen_kernel
             // a function, not a closure: a closure behind a pointer is compiled twice
             fn kernel(
                 call: &runtime::Call<'_>,
@@ -88,6 +90,7 @@ impl Facts<'_> {
                             extents: <#name as runtime::Element<#d, #p, #h>>::EXTENTS,
                             kernel,
                             lanes: #lanes,
+                            screen: #screen,
                         };
                     &DESCRIPTOR
                 };
@@ -137,6 +140,37 @@ impl Facts<'_> {
             }
         };
         (quote! { Some(lanes) }, function)
+    }
+
+    /// What tells open contacts without their projection, where it can, and the function itself.
+    fn screen(&self) -> (TokenStream, TokenStream) {
+        let name = &self.element.name;
+        let (d, p, h) = self.sizes();
+        let n = self.slave_nodes + self.master_nodes;
+        let is_pair = matches!(self.element.slave, Slave::Point) && self.master_nodes > 0;
+        if !is_pair || p + 1 != d {
+            return (quote! { None }, quote! {});
+        }
+        let vectors = self.vector_flags();
+        let function = quote! {
+            fn screen(
+                run: &::contact_elements::abi::Run<'_>,
+                place: (usize, usize),
+                bounds: &mut [f64; runtime::SCREENED],
+            ) -> u32 {
+                runtime::screen::<#name, _, #d, #p, #h, #n>(
+                    run, place, &[#(#vectors),*], bounds,
+                )
+            }
+        };
+        let value = quote! {
+            if runtime::is_screened::<#name, #d, #p, #h, #n>() {
+                Some(screen)
+            } else {
+                None
+            }
+        };
+        (value, function)
     }
 
     /// Operations of one evaluation of the point programs, the law included.

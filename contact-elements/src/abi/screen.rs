@@ -1,0 +1,152 @@
+//! Which contacts of a batch are evaluated: all, or with `CTE_SCREEN` those that are not certainly open. The others
+//! are settled at once.
+
+use core::cell::Cell;
+
+use super::batch::Run;
+use super::batch_check::Checked;
+use super::{Descriptor, ScreenKernel, argument, code, request};
+use crate::runtime::{ROOM, Receiver, Report, Rolling, SCREENED, Status, is_status, is_usable};
+
+/// How far the contacts of a batch have been looked at.
+pub(super) struct Screening {
+    /// None: all contacts are evaluated.
+    kernel: Option<ScreenKernel>,
+    /// The first contact that nobody has looked at.
+    next: usize,
+    /// Where the bits begin.
+    first: usize,
+    /// Contacts that were looked at and are to be evaluated, one bit each.
+    left: u32,
+}
+
+impl Screening {
+    /// Of a batch that begins. A state that is frozen is not asked for its gap, a projection that is given costs nothing.
+    pub(super) fn new(checked: &Checked<'_>) -> Self {
+        let bits = checked.batch.request;
+        let is_wanted = bits & request::SCREEN != 0
+            && bits & (request::FREEZE_STATE | request::PROJECTION_GIVEN) == 0;
+        Self {
+            kernel: checked.element.screen.filter(|_| is_wanted),
+            next: 0,
+            first: 0,
+            left: 0,
+        }
+    }
+}
+
+impl Run<'_> {
+    /// The numbers of the next contacts that are to be evaluated.
+    #[inline]
+    pub(super) fn next_to_evaluate(&mut self, numbers: &mut [usize; ROOM]) -> usize {
+        let count = self.checked().count;
+        let Some(kernel) = self.screening.kernel else {
+            let first = self.screening.next;
+            let length = ROOM.min(count - first);
+            for (offset, number) in numbers.iter_mut().enumerate().take(length) {
+                *number = first + offset;
+            }
+            self.screening.next = first + length;
+            return length;
+        };
+        let mut found = 0;
+        for number in numbers {
+            while self.screening.left == 0 {
+                if self.screening.next == count {
+                    return found;
+                }
+                self.look_on(kernel);
+            }
+            let left = &mut self.screening.left;
+            *number = self.screening.first + left.trailing_zeros() as usize;
+            *left &= *left - 1;
+            found += 1;
+        }
+        found
+    }
+
+    /// Looks at further contacts and settles the open ones.
+    fn look_on(&mut self, kernel: ScreenKernel) {
+        let first = self.screening.next;
+        let count = SCREENED.min(self.checked().count - first);
+        let mut bounds = [0.0; SCREENED];
+        let mut open = kernel(self, (first, count), &mut bounds);
+        let all = (u64::MAX >> (64 - count as u32 % 64)) as u32;
+        let leaves_nothing = self.leaves_nothing();
+        let mut rest = open;
+        while rest != 0 {
+            let slot = rest.trailing_zeros();
+            rest &= rest - 1;
+            let number = first + slot as usize;
+            let bound = bounds.get(slot as usize).copied().unwrap_or(0.0);
+            if leaves_nothing || self.leave(number, bound) {
+                self.note(number, Status::Open, (code::SUCCESS, argument::NONE, 0));
+            } else {
+                open &= !(1 << slot);
+            }
+        }
+        self.screening.next = first + count;
+        self.screening.first = first;
+        self.screening.left = all & !open;
+    }
+
+    /// True where an open contact has no outputs but its status: only sums are asked for.
+    fn leaves_nothing(&self) -> bool {
+        let batch = self.checked().batch;
+        let bits = batch.request;
+        let asks = |bit: u32| bits & bit != 0;
+        let has_own = asks(request::RESIDUAL) && !batch.f.is_null()
+            || asks(request::TANGENT) && !batch.k.is_null();
+        !has_own && !asks(request::HISTORY | request::OUTPUT | request::ENERGY)
+    }
+
+    /// Outputs of an open contact that was not projected; false, and nothing is written, where its history is refused.
+    fn leave(&mut self, number: usize, bound: f64) -> bool {
+        let checked = self.checked();
+        let (element, bits) = (checked.element, checked.batch.request);
+        // SAFETY: promised by the caller of the batch.
+        let (history, mut target) = unsafe { (checked.history_of(number), checked.target(number)) };
+        let mut zeta = element.centre;
+        if let (Some(history), true) = (history, bits & (request::HISTORY | request::OUTPUT) != 0) {
+            if !could_be_written(element, history) {
+                return false;
+            }
+            let own = history.iter().skip(1).take(element.projected);
+            for (to, entry) in zeta.iter_mut().zip(own) {
+                *to = entry.get();
+            }
+        }
+        target.open(checked.unknowns());
+        target.report(
+            0,
+            &Report {
+                status: Status::Open,
+                feature: 0,
+                gap: bound,
+                traction: 0.0,
+                weight: 0.0,
+                zeta,
+                normal: [0.0; 3],
+                iterations: 0,
+                tangential: [0.0; 2],
+                tangents: [[0.0; 3]; 2],
+                anchor: [0.0; 2],
+                path: 0.0,
+                multiplier: 0.0,
+                rolling: Rolling::default(),
+            },
+        );
+        target.energy(0.0);
+        true
+    }
+}
+
+/// True for a history that an evaluation takes: no edges, rolling or multipliers, which have no screen.
+fn could_be_written(element: &Descriptor, history: &[Cell<f64>]) -> bool {
+    let (p, slip) = (element.projected, element.history_layout().slip);
+    let at = |entry: usize| history.get(entry).map_or(0.0, Cell::get);
+    let is_remembered = |i: usize| element.can_be_anchor(i, at(1 + p + i));
+    history.iter().all(|entry| is_usable(entry.get()))
+        && (0..p).all(|i| element.can_be_projection(i, at(1 + i)))
+        && (slip == 0 || is_status(at(0)) && (0..p).all(is_remembered) && at(2 * p + 1) >= 0.0)
+}

@@ -1,0 +1,201 @@
+//! Random contacts of one element: good ones, and some that cannot be evaluated.
+
+use contact_elements::abi::{Descriptor, csr_map, element_history_init};
+
+/// Numbers that look random.
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * ((self.next() >> 11) as f64 / (1u64 << 53) as f64)
+    }
+
+    pub fn one_in(&mut self, n: u64) -> bool {
+        self.next().is_multiple_of(n)
+    }
+}
+
+/// Inputs of some contacts of one element.
+pub struct Contacts {
+    pub element: &'static Descriptor,
+    pub count: usize,
+    pub nodes: usize,
+    pub x: Vec<f64>,
+    pub u: Vec<f64>,
+    pub history: Vec<f64>,
+    pub parameters: Vec<f64>,
+    pub connectivity: Vec<i32>,
+    pub map: Vec<i64>,
+}
+
+/// Where the nodes are before they are moved: slave first.
+fn layout(element: &Descriptor) -> Vec<[f64; 3]> {
+    const QUAD: [[f64; 2]; 5] = [
+        [0.0, 0.0],
+        [-1.0, -1.0],
+        [1.0, -1.0],
+        [1.0, 1.0],
+        [-1.0, 1.0],
+    ];
+    const MIDDLES: [[f64; 2]; 5] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, 0.0]];
+    let flat = |list: &[[f64; 2]]| list.iter().map(|&[x, y]| [x, y, 0.0]).collect();
+    let name = element.name.trim_end_matches('\0');
+    let nodes: Vec<[f64; 3]> = if name.starts_with("PointTri3") {
+        flat(&[[0.3, 0.3], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+    } else if name.starts_with("PointQuad4") {
+        flat(&QUAD)
+    } else if name == "PointQuad9" {
+        flat(&[&QUAD[..], &MIDDLES].concat())
+    } else if name.starts_with("PointLine2") && element.dimension == 2 {
+        flat(&[[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0]])
+    } else if name == "Line2Line2Beams" {
+        vec![
+            [-1.0, 0.0, 0.2],
+            [1.0, 0.0, 0.2],
+            [0.0, -1.0, 0.0],
+            [0.0, 1.0, 0.0],
+        ]
+    } else {
+        panic!("no layout of {name}: add one")
+    };
+    assert_eq!(nodes.len(), element.nodes(0));
+    nodes
+}
+
+impl Contacts {
+    pub fn new(element: &'static Descriptor, count: usize, seed: u64) -> Self {
+        let mut random = Random(seed);
+        let base = layout(element);
+        let mut contacts = Self {
+            element,
+            count,
+            nodes: base.len(),
+            x: vec![],
+            u: vec![],
+            history: vec![],
+            parameters: vec![],
+            connectivity: vec![],
+            map: vec![],
+        };
+        for e in 0..count {
+            contacts.add_nodes(&base, &mut random);
+            contacts.add_history(&mut random);
+            contacts.add_parameters(&mut random);
+            // neighbours share their last node with the next contact's second
+            let own = (e * (base.len() - 1)) as i32;
+            contacts
+                .connectivity
+                .extend((0..base.len() as i32).map(|a| own + a));
+        }
+        contacts
+    }
+
+    fn add_nodes(&mut self, base: &[[f64; 3]], random: &mut Random) {
+        let warp = if random.one_in(8) { 0.8 } else { 0.15 };
+        let scale = match random.next() % 24 {
+            0 => 1e-12,
+            1 => 1e25,
+            2 => 1e7,
+            _ => 1.0,
+        };
+        let (shift, reach) = (
+            random.within(-3.0, 3.0),
+            if random.one_in(6) { 4.0 } else { 0.9 },
+        );
+        let (start, d) = (self.x.len(), self.element.dimension);
+        for (a, node) in base.iter().enumerate() {
+            for (k, &value) in node.iter().enumerate().take(d) {
+                let mut value = value + random.within(-warp, warp);
+                if a == 0 && self.element.slave_nodes == 1 {
+                    value += match k {
+                        k if k + 1 == d => random.within(-0.3, 0.2),
+                        _ => random.within(-reach, reach),
+                    };
+                }
+                self.x.push(scale * (value + shift));
+                self.u.push(scale * random.within(-0.01, 0.01));
+            }
+        }
+        let place = |random: &mut Random| start + (random.next() as usize) % (d * base.len());
+        match random.next() % 40 {
+            0 => self.x[place(random)] = f64::NAN,
+            1 => self.x[place(random)] = -2e30,
+            2 => self.u[place(random)] = f64::INFINITY,
+            3 => {
+                // two nodes in one place
+                let (from, to) = (start + d, start + 2 * d);
+                self.x.copy_within(from..from + d, to);
+                self.u.copy_within(from..from + d, to);
+            }
+            4 => self.x[start..].fill(scale * shift),
+            _ => {}
+        }
+    }
+
+    fn add_history(&mut self, random: &mut Random) {
+        let mut history = vec![0.0; self.element.history()];
+        // SAFETY: the element's own, and a history of its length.
+        unsafe { element_history_init(self.element, history.as_mut_ptr()) };
+        history[0] = (random.next() % 5) as f64;
+        for value in &mut history[1..] {
+            if !random.one_in(4) {
+                *value = random.within(-0.9, 0.9);
+            }
+        }
+        match random.next() % 50 {
+            0 => history[1] = f64::NAN,
+            1 => history[1] = 1e20,
+            2 => history[0] = f64::NEG_INFINITY,
+            3 => history[1] = 1e5,
+            _ => {}
+        }
+        self.history.extend(history);
+    }
+
+    fn add_parameters(&mut self, random: &mut Random) {
+        for parameter in self.element.parameters {
+            let value = match parameter.name.trim_end_matches('\0') {
+                "eps_n" | "kappa" if random.one_in(40) => -1.0,
+                "eps_n" | "kappa" => random.within(1.0, 1e4),
+                "r0" => random.within(0.0, 0.4),
+                "orientation" if random.one_in(3) => -1.0,
+                "orientation" => 1.0,
+                "m" => random.within(1.0, 3.0),
+                _ => random.within(0.1, 0.9),
+            };
+            self.parameters.push(value);
+        }
+    }
+
+    /// Positions of a dense matrix of all nodes.
+    pub fn csr(&mut self) -> usize {
+        let d = self.element.dimension;
+        let rows = d * (self.count * (self.nodes - 1) + 1);
+        let start: Vec<i64> = (0..=rows as i64).map(|row| row * rows as i64).collect();
+        let columns: Vec<i32> = (0..rows * rows).map(|i| (i % rows) as i32).collect();
+        self.map = vec![0; self.count * (d * self.nodes) * (d * self.nodes)];
+        // SAFETY: all arrays have the extents of the header.
+        let code = unsafe {
+            csr_map(
+                self.element,
+                self.count as i64,
+                0,
+                self.connectivity.as_ptr(),
+                rows as i64,
+                start.as_ptr(),
+                columns.as_ptr(),
+                self.map.as_mut_ptr(),
+            )
+        };
+        assert_eq!(code, 0);
+        rows
+    }
+}

@@ -1,0 +1,250 @@
+//! A batch in one form of call, with all its outputs.
+
+use contact_elements::abi::{Batch, OUTPUT_SIZE, element_evaluate_batch_in, request};
+use contact_elements::runtime::Width;
+
+use crate::contacts::Contacts;
+
+/// What ran raised of invalid, divide by zero and overflow.
+#[cfg(target_arch = "x86_64")]
+pub fn raised<T>(run: impl FnOnce() -> T) -> (T, u32) {
+    const SERIOUS: u32 = 0b1101;
+    let mut state = 0u32;
+    // SAFETY: stores and loads the state of SSE, of which the flags alone change.
+    unsafe {
+        std::arch::asm!("stmxcsr [{}]", in(reg) &mut state);
+        state &= !0x3f;
+        std::arch::asm!("ldmxcsr [{}]", in(reg) &state);
+    }
+    let result = run();
+    // SAFETY: as above.
+    unsafe { std::arch::asm!("stmxcsr [{}]", in(reg) &mut state) };
+    (result, state & SERIOUS)
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+pub fn raised<T>(run: impl FnOnce() -> T) -> (T, u32) {
+    (run(), 0)
+}
+
+/// How a batch is handed over.
+#[derive(Clone, Copy, Debug)]
+pub struct Form {
+    pub request: u32,
+    pub same_parameters: bool,
+    pub displacements: bool,
+    /// Node and component strides of x, where it is not shared.
+    pub strides: [usize; 2],
+    pub scattered: bool,
+    pub scale: f64,
+}
+
+/// All outputs as bits.
+pub struct Outputs {
+    pub f: Vec<f64>,
+    pub k: Vec<f64>,
+    pub history: Vec<f64>,
+    pub output: Vec<f64>,
+    pub energy: Vec<f64>,
+    pub status: Vec<i32>,
+    pub code: Vec<i32>,
+    pub returned: Vec<i32>,
+}
+
+const UNTOUCHED: f64 = -123.456;
+
+impl Outputs {
+    pub fn values(&self) -> [&Vec<f64>; 5] {
+        [&self.f, &self.k, &self.history, &self.output, &self.energy]
+    }
+}
+
+/// Evaluates `length` contacts at a time.
+pub fn evaluate(
+    contacts: &Contacts,
+    form: Form,
+    rows: usize,
+    width: Width,
+    length: usize,
+) -> Outputs {
+    let (n, count, element) = (contacts.nodes, contacts.count, contacts.element);
+    let d = element.dimension;
+    let (unknowns, points) = (d * n, contacts.element.points);
+    let (sums, entries) = if form.scattered {
+        (rows, rows * rows)
+    } else {
+        (unknowns * count, unknowns * unknowns * count)
+    };
+    let first = if form.scattered { 0.0 } else { UNTOUCHED };
+    let mut out = Outputs {
+        f: vec![first; sums],
+        k: vec![first; entries],
+        history: vec![UNTOUCHED; element.history() * count],
+        output: vec![UNTOUCHED; OUTPUT_SIZE * points * count],
+        energy: vec![UNTOUCHED; count],
+        status: vec![-1; count],
+        code: vec![-99; count],
+        returned: vec![],
+    };
+    let [node, component] = if form.scattered { [d, 1] } else { form.strides };
+    let apart = if form.scattered {
+        0
+    } else {
+        n * node.max(d * component)
+    };
+    let strided = spread(contacts, form);
+    // SAFETY: null pointers and zeros are defaults.
+    let mut batch: Batch = unsafe { std::mem::zeroed() };
+    batch.struct_size = size_of::<Batch>() as u32;
+    batch.request = form.request;
+    batch.parameter_count = element.parameters.len() as i32;
+    batch.parameter_element_stride = if form.same_parameters {
+        0
+    } else {
+        element.parameters.len() as i64
+    };
+    (batch.f_scale, batch.k_scale) = (form.scale, form.scale);
+    for at in (0..count).step_by(length) {
+        let own = length.min(count - at);
+        // SAFETY: offsets within the arrays.
+        unsafe {
+            batch.x = strided.as_ptr().add(at * apart);
+            (batch.x_node_stride, batch.x_component_stride) = (node as i64, component as i64);
+            batch.x_element_stride = apart as i64;
+            if form.displacements {
+                batch.u = contacts
+                    .u
+                    .as_ptr()
+                    .add(if form.scattered { 0 } else { at * unknowns });
+            }
+            batch.parameters = contacts.parameters.as_ptr();
+            if !form.same_parameters {
+                batch.parameters = batch.parameters.add(at * element.parameters.len());
+            }
+            batch.hist_old = contacts.history.as_ptr().add(at * element.history());
+            batch.hist_new = out.history.as_mut_ptr().add(at * element.history());
+            batch.output = out.output.as_mut_ptr().add(at * OUTPUT_SIZE * points);
+            batch.energy = out.energy.as_mut_ptr().add(at);
+            batch.status = out.status.as_mut_ptr().add(at);
+            batch.code = out.code.as_mut_ptr().add(at);
+            if form.scattered {
+                batch.connectivity = contacts.connectivity.as_ptr().add(at * n);
+                batch.global_nodes = (rows / d) as i64;
+                batch.global_f = out.f.as_mut_ptr();
+                batch.csr_values = out.k.as_mut_ptr();
+                batch.csr_map = contacts.map.as_ptr().add(at * unknowns * unknowns);
+            } else {
+                batch.f = out.f.as_mut_ptr().add(at * unknowns);
+                batch.k = out.k.as_mut_ptr().add(at * unknowns * unknowns);
+            }
+            let code = element_evaluate_batch_in(element, own as i64, &mut batch, width);
+            out.returned.push(code);
+        }
+    }
+    out
+}
+
+/// The positions with the strides of the form, or of all nodes with shared numbers.
+fn spread(contacts: &Contacts, form: Form) -> Vec<f64> {
+    let ([node, component], d) = (form.strides, contacts.element.dimension);
+    if form.scattered {
+        let all = contacts.count * (contacts.nodes - 1) + 1;
+        let mut values = contacts.x.clone();
+        values.resize(d * all.max(contacts.count * contacts.nodes), 0.0);
+        return values;
+    }
+    let apart = contacts.nodes * node.max(d * component);
+    let mut values = vec![f64::NAN; contacts.count * apart];
+    for (i, &value) in contacts.x.iter().enumerate() {
+        let (e, own) = (i / (d * contacts.nodes), i % (d * contacts.nodes));
+        values[e * apart + (own / d) * node + (own % d) * component] = value;
+    }
+    values
+}
+
+/// Every way in which lanes read or write.
+pub fn forms() -> Vec<Form> {
+    let all =
+        request::RESIDUAL | request::TANGENT | request::HISTORY | request::OUTPUT | request::ENERGY;
+    let plain = Form {
+        request: all,
+        same_parameters: true,
+        displacements: false,
+        strides: [3, 1],
+        scattered: false,
+        scale: 0.0,
+    };
+    vec![
+        plain,
+        Form {
+            same_parameters: false,
+            ..plain
+        },
+        Form {
+            displacements: true,
+            ..plain
+        },
+        Form {
+            strides: [5, 1],
+            ..plain
+        },
+        Form {
+            strides: [1, 10],
+            ..plain
+        },
+        Form {
+            request: all | request::PROJECTION_GIVEN,
+            ..plain
+        },
+        Form {
+            request: all | request::FREEZE_STATE,
+            ..plain
+        },
+        Form {
+            request: all | request::SYMMETRISE,
+            ..plain
+        },
+        Form {
+            request: request::RESIDUAL,
+            ..plain
+        },
+        Form {
+            request: request::TANGENT | request::PROJECTION_GIVEN,
+            displacements: true,
+            ..plain
+        },
+        Form {
+            scale: -0.7,
+            ..plain
+        },
+        Form {
+            scattered: true,
+            ..plain
+        },
+        Form {
+            scattered: true,
+            displacements: true,
+            scale: 0.3,
+            same_parameters: false,
+            ..plain
+        },
+    ]
+}
+
+/// Which output differs first, where, and its two values.
+pub fn differing(one: &Outputs, many: &Outputs) -> Option<(&'static str, usize, f64, f64)> {
+    let names = ["f", "k", "history", "output", "energy"];
+    for (name, (one, many)) in names
+        .into_iter()
+        .zip(one.values().into_iter().zip(many.values()))
+    {
+        let pairs = one.iter().zip(many);
+        if let Some((place, (&one, &many))) = pairs
+            .enumerate()
+            .find(|(_, (one, many))| one.to_bits() != many.to_bits())
+        {
+            return Some((name, place, one, many));
+        }
+    }
+    None
+}

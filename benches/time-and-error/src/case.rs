@@ -50,6 +50,11 @@ impl Request {
         tangent: true,
         bits: request::PROJECTION_GIVEN,
     };
+    /// R and K; in a batch what is certainly open is not projected.
+    pub const SCREENED: Self = Self {
+        tangent: true,
+        bits: request::SCREEN,
+    };
 }
 
 /// Outputs of a call.

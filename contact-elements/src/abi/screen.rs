@@ -106,8 +106,9 @@ impl Run<'_> {
         let (element, bits) = (checked.element, checked.batch.request);
         // SAFETY: promised by the caller of the batch.
         let (history, mut target) = unsafe { (checked.history_of(number), checked.target(number)) };
+        let is_reported = bits & (request::HISTORY | request::OUTPUT) != 0;
         let mut zeta = element.centre;
-        if let (Some(history), true) = (history, bits & (request::HISTORY | request::OUTPUT) != 0) {
+        if let (Some(history), true) = (history, is_reported) {
             if !could_be_written(element, history) {
                 return false;
             }
@@ -117,27 +118,31 @@ impl Run<'_> {
             }
         }
         target.open(checked.unknowns());
-        target.report(
-            0,
-            &Report {
-                status: Status::Open,
-                feature: 0,
-                gap: bound,
-                traction: 0.0,
-                weight: 0.0,
-                zeta,
-                normal: [0.0; 3],
-                iterations: 0,
-                tangential: [0.0; 2],
-                tangents: [[0.0; 3]; 2],
-                anchor: [0.0; 2],
-                path: 0.0,
-                multiplier: 0.0,
-                rolling: Rolling::default(),
-            },
-        );
+        if is_reported {
+            target.report(0, &report(bound, zeta));
+        }
         target.energy(0.0);
         true
+    }
+}
+
+/// What is known of an open contact that was not projected.
+fn report(bound: f64, zeta: [f64; 2]) -> Report {
+    Report {
+        status: Status::Open,
+        feature: 0,
+        gap: bound,
+        traction: 0.0,
+        weight: 0.0,
+        zeta,
+        normal: [0.0; 3],
+        iterations: 0,
+        tangential: [0.0; 2],
+        tangents: [[0.0; 3]; 2],
+        anchor: [0.0; 2],
+        path: 0.0,
+        multiplier: 0.0,
+        rolling: Rolling::default(),
     }
 }
 

@@ -5,7 +5,7 @@ use std::ptr::{null, null_mut};
 
 use contact_elements::abi::Batch;
 
-use crate::called::{check_exceptions, mode};
+use crate::called::{Outcome, check_exceptions, mode};
 use crate::check::{OUTPUT_SIZE, digest, unchanged, untouched};
 use crate::contacts::{Contacts, contacts, parameters};
 use crate::element::{Element, info};
@@ -26,6 +26,10 @@ const UNSET: i32 = 0x5a5a_5a5a;
 const OPEN: i32 = 0;
 /// `CTE_STATUS_OUTSIDE`.
 const OUTSIDE: i32 = 4;
+/// `CTE_CUT_BACK`.
+const CUT_BACK: i32 = 1;
+/// `CTE_ARGUMENT_HISTORY_OLD`.
+const HISTORY_OLD: i32 = 8;
 
 /// Arrays that are written.
 struct Arrays {
@@ -281,6 +285,23 @@ fn check_whole(contacts: &Contacts, code: i32, arrays: &Arrays) -> Checked {
     Ok(())
 }
 
+/// True for a contact that `CTE_SCREEN` may leave unprojected, by its evaluation alone: it is open or outside, its
+/// projection fails, or its history is refused that nobody asks for. Whatever else is refused is refused with it too.
+fn may_be_left_out(bits: u32, alone: &Outcome) -> bool {
+    let never = bits & (request::FREEZE_STATE | request::PROJECTION_GIVEN) != 0;
+    if bits & request::SCREEN == 0 || never {
+        return false;
+    }
+    match alone.code {
+        0 => [OPEN, OUTSIDE].contains(&alone.scalars[0]),
+        CUT_BACK => true,
+        _ => {
+            let is_asked_for = bits & (request::HISTORY | request::OUTPUT) != 0;
+            alone.scalars[2] == HISTORY_OLD && !is_asked_for
+        }
+    }
+}
+
 /// Every contact against its evaluation alone.
 fn check_contacts(
     harness: &mut Harness,
@@ -311,10 +332,8 @@ fn check_contacts(
             continue;
         }
         let alone = perform(harness, &contacts.alone(element, e))?;
-        // an open contact need not have been projected, nor its history looked at
-        let is_screened = contacts.plan.request & request::SCREEN != 0 && *status == OPEN;
-        let is_open = alone.code != 0 || [OPEN, OUTSIDE].contains(&alone.scalars[0]);
-        if is_screened && is_open && (!contacts.codes || codes[e] == 0) {
+        let is_settled = *status == OPEN && (!contacts.codes || codes[e] == 0);
+        if is_settled && may_be_left_out(contacts.plan.request, &alone) {
             continue;
         }
         if alone.scalars[0] != *status || (contacts.codes && alone.code != codes[e]) {

@@ -17,6 +17,10 @@ pub mod request {
     pub const OUTPUT: u32 = 8;
     /// `CTE_ENERGY`.
     pub const ENERGY: u32 = 16;
+    /// `CTE_FREEZE_STATE`.
+    pub const FREEZE_STATE: u32 = 32;
+    /// `CTE_PROJECTION_GIVEN`.
+    pub const PROJECTION_GIVEN: u32 = 128;
     /// `CTE_SCREEN`.
     pub const SCREEN: u32 = 256;
 }

@@ -27,6 +27,7 @@ impl Receiver for Matrix {
     }
     fn multiplier(&mut self, _: (usize, usize), _: f64) {}
     fn coupling(&mut self, _: usize, _: usize, _: f64) {}
+    fn clear(&mut self, _: usize) {}
     fn report(&mut self, _: usize, _: &Report) {}
     fn energy(&mut self, _: f64) {}
 }

@@ -41,6 +41,7 @@ impl<const U: usize> Receiver for Dense<'_, U> {
 
     fn multiplier(&mut self, _: (usize, usize), _: f64) {}
     fn coupling(&mut self, _: usize, _: usize, _: f64) {}
+    fn clear(&mut self, _: usize) {}
     fn report(&mut self, _point: usize, _report: &Report) {}
 
     fn energy(&mut self, _energy: f64) {}

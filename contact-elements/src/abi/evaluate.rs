@@ -3,7 +3,7 @@
 use core::cell::Cell;
 
 use super::describe::bad_parameter;
-use super::sizes::{Fault, extent, reported, slave_count, spacing};
+use super::sizes::{Fault, MOST_UNKNOWNS, extent, reported, slave_count, spacing};
 use super::target::Target;
 use super::threads::Turn;
 use super::types::{Arguments, is_whole};
@@ -183,41 +183,25 @@ pub(super) fn check_request(
 
 fn check_outputs(arguments: &Arguments) -> Result<(), Fault> {
     let bits = arguments.request;
-    let required = [
-        (true, arguments.x.is_null(), argument::X),
-        (true, arguments.parameters.is_null(), argument::PARAMETERS),
-        (
-            bits & request::RESIDUAL != 0,
-            arguments.f.is_null(),
-            argument::F,
-        ),
-        (
-            bits & request::TANGENT != 0,
-            arguments.k.is_null(),
-            argument::K,
-        ),
-        (
-            bits & request::HISTORY != 0,
-            arguments.hist_new.is_null(),
-            argument::HISTORY_NEW,
-        ),
-        (
-            bits & request::OUTPUT != 0,
-            arguments.output.is_null(),
-            argument::OUTPUT,
-        ),
-        (
-            bits & request::ENERGY != 0,
-            arguments.energy.is_null(),
-            argument::ENERGY,
-        ),
-    ];
-    for (needed, null, name) in required {
-        if needed && null {
-            return Err((code::NULL, name, 0));
-        }
-    }
-    Ok(())
+    let missing = |bit: u32, pointer: *mut f64| bits & bit != 0 && pointer.is_null();
+    let name = if arguments.x.is_null() {
+        argument::X
+    } else if arguments.parameters.is_null() {
+        argument::PARAMETERS
+    } else if missing(request::RESIDUAL, arguments.f) {
+        argument::F
+    } else if missing(request::TANGENT, arguments.k) {
+        argument::K
+    } else if missing(request::HISTORY, arguments.hist_new) {
+        argument::HISTORY_NEW
+    } else if missing(request::OUTPUT, arguments.output) {
+        argument::OUTPUT
+    } else if missing(request::ENERGY, arguments.energy) {
+        argument::ENERGY
+    } else {
+        return Ok(());
+    };
+    Err((code::NULL, name, 0))
 }
 
 pub(super) fn node_counts(
@@ -381,13 +365,11 @@ pub(super) unsafe fn host_rows(map: *const i32, unknowns: usize) -> Result<usize
 /// Strides that keep all entries apart; 0, 0 stands for dense row-major.
 pub(super) fn strides(row: i64, column: i64, rows: usize) -> Result<(usize, usize), Fault> {
     let fault = (code::STRIDE, argument::K_STRIDE, 0);
+    if row == 0 && column == 0 && rows <= MOST_UNKNOWNS {
+        return Ok((rows, 1));
+    }
     let (Ok(row), Ok(column)) = (usize::try_from(row), usize::try_from(column)) else {
         return Err(fault);
-    };
-    let (row, column) = if row == 0 && column == 0 {
-        (rows, 1)
-    } else {
-        (row, column)
     };
     let last = rows.saturating_sub(1);
     let apart = |small: usize, large: usize| large.checked_div(small).is_some_and(|n| n >= rows);

@@ -45,6 +45,19 @@ impl Target {
         }
     }
 
+    /// Entry of the host's matrix.
+    ///
+    /// # Safety
+    /// There is a matrix with these rows.
+    #[inline(always)]
+    unsafe fn entry(&self, row: usize, column: usize) -> *mut f64 {
+        // SAFETY: promised by the caller.
+        unsafe {
+            self.k
+                .add(row * self.row_stride + column * self.column_stride)
+        }
+    }
+
     /// Writes a row whose entries stand side by side in the host's matrix.
     #[inline(always)]
     fn dense_row(&self, unknown: usize, row: &[f64], first: bool) {
@@ -67,12 +80,12 @@ impl Target {
     #[inline(never)]
     fn strided_row(&self, unknown: usize, row: &[f64], first: bool) {
         if !self.k.is_null() {
-            let start = self.host(unknown) * self.row_stride;
+            let host = self.host(unknown);
             for (column, &value) in row.iter().enumerate() {
                 let value = self.k_scale * value;
                 // SAFETY: k has an entry for every pair of host rows.
                 unsafe {
-                    let entry = self.k.add(start + self.host(column) * self.column_stride);
+                    let entry = self.entry(host, self.host(column));
                     *entry = if first { value } else { *entry + value };
                 }
             }
@@ -151,12 +164,8 @@ impl Target {
                 let (row, column) = (self.host(i), self.host(j));
                 // SAFETY: the host's matrix holds every pair of its rows, see the header.
                 unsafe {
-                    let lower = self
-                        .k
-                        .add(row * self.row_stride + column * self.column_stride);
-                    let upper = self
-                        .k
-                        .add(column * self.row_stride + row * self.column_stride);
+                    let lower = self.entry(row, column);
+                    let upper = self.entry(column, row);
                     let mean = 0.5 * (*lower + *upper);
                     *lower = mean;
                     *upper = mean;
@@ -189,9 +198,26 @@ impl Receiver for Target {
                 }
                 if !self.k.is_null() {
                     for j in 0..unknowns {
-                        let at = self.host(i) * self.row_stride + self.host(j) * self.column_stride;
-                        *self.k.add(at) = 0.0;
+                        *self.entry(self.host(i), self.host(j)) = 0.0;
                     }
+                }
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn clear(&mut self, unknown: usize) {
+        // SAFETY: f has an entry for every host row, k for every pair of them.
+        unsafe {
+            let row = self.host(unknown);
+            if !self.f.is_null() {
+                *self.f.add(row) = 0.0;
+            }
+            if !self.k.is_null() {
+                for other in 0..self.unknowns {
+                    let other = self.host(other);
+                    *self.entry(row, other) = 0.0;
+                    *self.entry(other, row) = 0.0;
                 }
             }
         }
@@ -273,12 +299,13 @@ impl Receiver for Target {
             let value = self.k_scale * value;
             let (row, column) = (self.host(row), self.host(column));
             // SAFETY: k has an entry for every pair of host rows.
-            unsafe {
-                *self
-                    .k
-                    .add(row * self.row_stride + column * self.column_stride) += value
-            };
+            unsafe { *self.entry(row, column) += value };
         }
+    }
+
+    #[inline(always)]
+    fn reports(&self) -> bool {
+        !self.output.is_null() || !self.history.is_null()
     }
 
     #[inline(never)]

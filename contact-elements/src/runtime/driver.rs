@@ -128,15 +128,16 @@ fn evaluate_one<
     };
     let placement = placement::<E, D, P, H>(call.parameters);
     let is_closed = point.status.is_closed();
-    if E::MULTIPLIER || !is_closed {
-        let multipliers = if E::MULTIPLIER { 1 } else { 0 };
-        receiver.open(stage.x.len() * D + multipliers);
-    }
+    let positions = stage.x.len() * D;
     let energy = if is_closed {
-        let pass = (0, !E::MULTIPLIER, false);
+        if E::MULTIPLIER {
+            receiver.clear(positions);
+        }
+        let pass = (0, true, false);
         let point = (&point, &sliding);
         closed::<E, R, D, P, H>(call, stage, receiver, &placement, point, pass)
     } else {
+        receiver.open(positions + usize::from(E::MULTIPLIER));
         let point = (0, &point, &sliding);
         unloaded::<E, R, D, P, H>(call, stage, receiver, &placement, point)
     };
@@ -165,7 +166,9 @@ fn unloaded<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, co
     placement: &Option<Placement<D>>,
     (number, point, state): (usize, &Point<D, P, H>, &Sliding<P>),
 ) -> f64 {
-    receiver.report(number, &report(point, state, placement, 0.0, 0.0));
+    if receiver.reports() {
+        receiver.report(number, &report(point, state, placement, 0.0, 0.0));
+    }
     if !E::MULTIPLIER {
         return 0.0;
     }
@@ -205,12 +208,7 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
                 rolling::residual::<E, R, D, P, H>(call, stage, point, state, receiver);
             }
         } else {
-            let force = n.map(|n| pull * n);
-            for (a, &s) in stage.rows.s.iter().enumerate() {
-                for k in 0..D {
-                    receiver.force((a, k), s * force[k], first);
-                }
-            }
+            normal_residual(stage, &n.map(|n| pull * n), first, receiver);
             if E::ANGLE {
                 angle::residual::<E, R, D, P, H>(call, stage, point, (number, weight), receiver);
             }
@@ -228,11 +226,35 @@ fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, cons
         let place = (number, point, &n, weight);
         enforcement::closed::<E, R, D, P, H>(call, stage, placement, state, place, receiver);
     }
-    receiver.report(
-        number,
-        &report(point, state, placement, law.traction, weight),
-    );
+    if receiver.reports() {
+        let report = report(point, state, placement, law.traction, weight);
+        receiver.report(number, &report);
+    }
     weight * (law.energy + state.tangential.energy)
+}
+
+/// R_(A,k) = N s_A n_k of a point with force N n. [eq:residual]
+#[inline(always)]
+fn normal_residual<R: Receiver, const D: usize, const P: usize, const H: usize>(
+    stage: &mut Stage<'_, D, P, H>,
+    force: &[f64; D],
+    first: bool,
+    receiver: &mut R,
+) {
+    if first {
+        let (forces, _) = stage.temporaries.row.as_chunks_mut::<D>();
+        for (to, &s) in forces.iter_mut().zip(stage.rows.s.iter()) {
+            *to = force.map(|force| s * force);
+        }
+        let unknowns = stage.rows.s.len() * D;
+        receiver.forces(stage.temporaries.row.get(..unknowns).unwrap_or(&[]), D);
+        return;
+    }
+    for (a, &s) in stage.rows.s.iter().enumerate() {
+        for k in 0..D {
+            receiver.force((a, k), s * force[k], false);
+        }
+    }
 }
 
 /// The point's own weight: of the caller, or of the slave's area.

@@ -68,9 +68,10 @@ impl Coordinates<'_> {
 
     /// The first `count` nodes, where they stand one after another.
     #[inline(always)]
-    pub(super) fn dense<const D: usize>(&self, count: usize) -> Option<&[f64]> {
+    fn dense<const D: usize>(&self, count: usize) -> Option<&[[f64; D]]> {
         if self.component_stride == 1 && self.node_stride == D {
-            self.values.get(self.offset..)?.get(..count * D)
+            let (nodes, _) = self.values.get(self.offset..)?.as_chunks::<D>();
+            nodes.get(..count)
         } else {
             None
         }
@@ -91,17 +92,29 @@ impl Coordinates<'_> {
 }
 
 impl Nodes<'_> {
+    /// Positions and displacements of the first `count` nodes, where they stand one after another and can be used.
+    #[inline(always)]
+    #[allow(clippy::type_complexity)]
+    fn dense<const D: usize>(&self, count: usize) -> Option<(&[[f64; D]], Option<&[[f64; D]]>)> {
+        if self.connectivity.is_some() {
+            return None;
+        }
+        let x = self.x.dense::<D>(count)?;
+        let u = match &self.u {
+            Some(u) => Some(u.dense::<D>(count)?),
+            None => None,
+        };
+        let can = are_usable(x.as_flattened()) & u.is_none_or(|u| are_usable(u.as_flattened()));
+        can.then_some((x, u))
+    }
+
     /// Checks all coordinates of the first `count` nodes before anything is computed with them.
     #[inline(always)]
     pub(super) fn check<const D: usize>(&self, count: usize) -> Result<(), InputError> {
         let mut can = true;
-        if let (None, None, Some(block)) = (&self.u, self.connectivity, self.x.dense::<D>(count)) {
-            can = are_usable(block);
-        } else {
-            for a in 0..count {
-                can &= are_usable(&self.reference::<D>(a)?);
-                can &= are_usable(&self.displacement::<D>(a)?);
-            }
+        for a in 0..count {
+            can &= are_usable(&self.reference::<D>(a)?);
+            can &= are_usable(&self.displacement::<D>(a)?);
         }
         if can {
             Ok(())
@@ -163,11 +176,18 @@ pub(super) fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const 
     x: &mut [[f64; D]],
     reference: &mut [[f64; D]],
 ) -> Result<[f64; D], InputError> {
-    nodes.check::<D>(x.len())?;
     let placement: Option<Placement<D>> = E::LAYOUT
         .placement
         .map(|at| Placement::from_parameters(parameters.get(at..).unwrap_or(&[])));
     let rigid = E::MASTER_NODES == 0;
+    if !rigid
+        && placement.is_none()
+        && let Some(dense) = nodes.dense::<D>(x.len())
+        && let Some(origin) = gather_dense(dense, &is_vector, x, reference)
+    {
+        return Ok(origin);
+    }
+    nodes.check::<D>(x.len())?;
     let (mut origin, mut shift) = ([0.0; D], [0.0; D]);
     if let Some(placement) = &placement {
         origin = placement.origin;
@@ -215,6 +235,45 @@ pub(super) fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const 
         origin = placement.vector_to_local(&origin);
     }
     Ok(origin)
+}
+
+/// [`gather`] of nodes that stand one after another; no displacements: zero.
+#[inline(always)]
+fn gather_dense<const D: usize>(
+    (positions, displacements): (&[[f64; D]], Option<&[[f64; D]]>),
+    is_vector: impl Fn(usize) -> bool,
+    x: &mut [[f64; D]],
+    reference: &mut [[f64; D]],
+) -> Option<[f64; D]> {
+    let mut origin = *positions.first()?;
+    for (a, (local, position)) in x.iter_mut().zip(positions).enumerate() {
+        *local = *position;
+        if !is_vector(a) {
+            for k in 0..D {
+                local[k] -= origin[k];
+            }
+        }
+    }
+    for (to, from) in reference.iter_mut().zip(x.iter()) {
+        *to = *from;
+    }
+    let Some(displacements) = displacements else {
+        return Some(origin);
+    };
+    let shift = *displacements.first()?;
+    for (a, (local, displacement)) in x.iter_mut().zip(displacements).enumerate() {
+        for k in 0..D {
+            local[k] += if is_vector(a) {
+                displacement[k]
+            } else {
+                displacement[k] - shift[k]
+            };
+        }
+    }
+    for k in 0..D {
+        origin[k] += shift[k];
+    }
+    Some(origin)
 }
 
 /// The multipliers: first component of the displacement of the nodes from `first` on.

@@ -70,6 +70,8 @@ pub struct Report {
 pub trait Receiver {
     /// All of residual and tangent is zero: no point is closed.
     fn open(&mut self, unknowns: usize);
+    /// Residual, row and column of one unknown are zero: a multiplier of the only point.
+    fn clear(&mut self, unknown: usize);
     /// Entry (node, component) of the residual; `first`: replaces, else adds.
     fn force(&mut self, place: (usize, usize), value: f64, first: bool);
     /// All entries of the residual, which they replace.
@@ -90,6 +92,10 @@ pub trait Receiver {
     fn multiplier(&mut self, place: (usize, usize), value: f64);
     /// Adds to one entry of the tangent.
     fn coupling(&mut self, row: usize, column: usize, value: f64);
+    /// False where [`Receiver::report`] would do nothing.
+    fn reports(&self) -> bool {
+        true
+    }
     /// Outcome of point `point`.
     fn report(&mut self, point: usize, report: &Report);
     /// Contact energy of the element.

@@ -22,45 +22,81 @@ pub(super) struct NodeShare<const D: usize, const P: usize> {
     pub(super) turn: [f64; P],
 }
 
+/// Whether every row of the factors has as many entries.
+#[inline(always)]
+fn are_long<const D: usize, const P: usize>(
+    u: [&[f64]; D],
+    g: [&[f64]; P],
+    unknowns: usize,
+) -> bool {
+    let mut are_long = true;
+    for row in u {
+        are_long &= row.len() >= unknowns;
+    }
+    for row in g {
+        are_long &= row.len() >= unknowns;
+    }
+    are_long
+}
+
 /// u_k(B,l) = s_B p_kl + s_B,j right_j[k] n_l and g_j(B,l) = s_B left_j[l] + s_B,i s_ji n_l, node after node.
 ///
 /// Each vector is padded by zeros; what a node writes beyond its own unknowns is overwritten by the next.
+/// Nothing is done where the rows are too short.
 #[inline(always)]
 pub(super) fn fill<Q: Quad, const D: usize, const P: usize>(
-    nodes: impl Iterator<Item = NodeShare<D, P>>,
+    nodes: impl ExactSizeIterator<Item = NodeShare<D, P>>,
     n: [f64; 4],
     (p, left): ([[f64; 4]; D], [[f64; 4]; P]),
     (u, g): ([&mut [f64]; D], [&mut [f64]; P]),
 ) {
+    const { assert!(2 <= D && D <= 4) };
+    let last = nodes.len().wrapping_sub(1);
+    if !are_long(
+        u.each_ref().map(|row| &**row),
+        g.each_ref().map(|row| &**row),
+        nodes.len() * D,
+    ) {
+        return;
+    }
     let n = Q::new(n);
     let (p, left) = (p.map(Q::new), left.map(Q::new));
     for (b, node) in nodes.enumerate() {
         let s = Q::same(node.s);
-        for k in 0..D {
-            let mut value = s * p[k];
-            if P > 0 {
-                value = value + Q::same(node.right[k]) * n;
+        // SAFETY: the rows have D entries for every node; four numbers of a node that is not the last end within those of
+        // the next, since D is 2 or more.
+        unsafe {
+            for k in 0..D {
+                let mut value = s * p[k];
+                if P > 0 {
+                    value = value + Q::same(node.right[k]) * n;
+                }
+                put::<Q, D>(value, u[k].as_mut_ptr().add(b * D), b == last);
             }
-            put(value, u[k].get_mut(b * D..).unwrap_or(&mut []));
-        }
-        for j in 0..P {
-            let value = s * left[j] + Q::same(node.turn[j]) * n;
-            put(value, g[j].get_mut(b * D..).unwrap_or(&mut []));
+            for j in 0..P {
+                let value = s * left[j] + Q::same(node.turn[j]) * n;
+                put::<Q, D>(value, g[j].as_mut_ptr().add(b * D), b == last);
+            }
         }
     }
 }
 
-/// To the first places, as many as there are.
+/// All four numbers, or those of the last node alone.
+///
+/// # Safety
+/// There is room for them.
 #[inline(always)]
-fn put<Q: Quad>(value: Q, to: &mut [f64]) {
-    if to.len() >= 4 {
-        value.store(to);
-        return;
-    }
-    let mut values = [0.0; 4];
-    value.store(&mut values);
-    for (to, value) in to.iter_mut().zip(values) {
-        *to = value;
+unsafe fn put<Q: Quad, const D: usize>(value: Q, to: *mut f64, is_last: bool) {
+    if is_last {
+        let mut values = [0.0; 4];
+        value.store(&mut values);
+        for (k, &value) in values.iter().enumerate().take(D) {
+            // SAFETY: promised by the caller.
+            unsafe { *to.add(k) = value };
+        }
+    } else {
+        // SAFETY: promised by the caller.
+        unsafe { value.store_at(to) };
     }
 }
 
@@ -75,60 +111,74 @@ pub(super) fn write<T: Wide, const D: usize, const P: usize>(
     first: bool,
 ) -> bool {
     let unknowns = nodes.len() * D;
-    let is_long = |row: &[f64]| row.len() >= unknowns;
-    let are_long = factors.u.iter().chain(&factors.g).all(|row| is_long(row));
     let has_room = apart >= unknowns && to.len() >= unknowns * apart;
-    if !has_room || !are_long || unknowns < T::WIDTH {
+    if !has_room || !are_long(factors.u, factors.g, unknowns) || unknowns < T::WIDTH {
         return false;
     }
     let lanes = n.map(T::constant);
-    let whole = if first {
-        unknowns
-    } else {
-        unknowns - unknowns % T::WIDTH
-    };
-    for ((s, ds), rows) in nodes.zip(to.chunks_exact_mut((D * apart).max(1))) {
-        let turns = ds.map(T::constant);
-        let s_lanes = T::constant(s);
-        for column in (0..whole).step_by(T::WIDTH) {
-            // the last lanes of a row that is replaced overlap those before
-            let column = column.min(unknowns - T::WIDTH);
-            // SAFETY: column + WIDTH ≤ unknowns, all of u and g have as many entries, and so has each of the D rows.
+    if first {
+        for (a, (s, ds)) in nodes.enumerate() {
+            // SAFETY: all of u and g have an entry for every unknown, K a row.
             unsafe {
-                let along = along(&turns, &factors.g, column);
-                for k in 0..D {
-                    let mut value = s_lanes * T::load_at(factors.u[k].as_ptr().add(column));
-                    if P > 0 {
-                        value = value + lanes[k] * along;
-                    }
-                    let place = rows.as_mut_ptr().add(k * apart + column);
-                    if !first {
-                        value = T::load_at(place) + value;
-                    }
-                    value.store_at(place);
-                }
+                let place = to.as_mut_ptr().add(a * D * apart);
+                let own = (T::constant(s), ds.map(T::constant));
+                write_node::<T, true, D, P>(own, &lanes, factors, (place, apart), unknowns);
             }
         }
-        if !first {
-            add_rest(s, &ds, n, factors, (rows, apart, whole..unknowns));
+        return true;
+    }
+    let whole = unknowns - unknowns % T::WIDTH;
+    for ((s, ds), rows) in nodes.zip(to.chunks_exact_mut((D * apart).max(1))) {
+        // SAFETY: as above.
+        unsafe {
+            let own = (T::constant(s), ds.map(T::constant));
+            let place = (rows.as_mut_ptr(), apart);
+            write_node::<T, false, D, P>(own, &lanes, factors, place, whole);
         }
+        add_rest(s, &ds, n, factors, (rows, apart, whole..unknowns));
     }
     true
 }
 
-/// s_A,j g_j from `column` on.
+/// The first `columns` entries of the D rows of a node with s_A, s_A,j, the first of them at `place`. Those that replace
+/// may overlap in the last lanes; those that add are whole lanes.
 ///
 /// # Safety
-/// All g_j reach as far as the lanes.
+/// There are so many entries in each u_k, g_j and in each of the D rows, and enough of them for the lanes.
 #[inline(always)]
-unsafe fn along<T: Wide, const P: usize>(turns: &[T; P], g: &[&[f64]; P], column: usize) -> T {
-    let mut sum = T::constant(0.0);
-    for j in 0..P {
+unsafe fn write_node<T: Wide, const FIRST: bool, const D: usize, const P: usize>(
+    (s, ds): (T, [T; P]),
+    n: &[T; D],
+    factors: &Factors<'_, D, P>,
+    (place, apart): (*mut f64, usize),
+    columns: usize,
+) {
+    for column in (0..columns).step_by(T::WIDTH) {
+        let column = if FIRST {
+            column.min(columns - T::WIDTH)
+        } else {
+            column
+        };
         // SAFETY: promised by the caller.
-        let term = turns[j] * unsafe { T::load_at(g[j].as_ptr().add(column)) };
-        sum = if j == 0 { term } else { sum + term };
+        unsafe {
+            let mut along = T::constant(0.0);
+            for j in 0..P {
+                let term = ds[j] * T::load_at(factors.g[j].as_ptr().add(column));
+                along = if j == 0 { term } else { along + term };
+            }
+            for k in 0..D {
+                let mut value = s * T::load_at(factors.u[k].as_ptr().add(column));
+                if P > 0 {
+                    value = value + n[k] * along;
+                }
+                let place = place.add(k * apart + column);
+                if !FIRST {
+                    value = T::load_at(place) + value;
+                }
+                value.store_at(place);
+            }
+        }
     }
-    sum
 }
 
 /// Adds the entries of the columns that fill no lanes.
@@ -176,26 +226,37 @@ pub(super) struct Contraction<'a, const D: usize, const P: usize> {
 }
 
 impl<const D: usize, const P: usize> Contraction<'_, D, P> {
-    /// All rows by lanes T; u and g are scratch.
+    /// All rows by lanes T; u and g are scratch. `count`: number of nodes.
     #[inline(always)]
     fn write<T: Wide>(
         &self,
+        count: usize,
         (mut u, mut g): ([&mut [f64]; D], [&mut [f64]; P]),
         to: (&mut [f64], usize),
         first: bool,
     ) -> bool {
-        let slope = |j: usize, a: usize| self.ds[j].get(a).copied().unwrap_or(0.0);
-        let nodes = self.s.iter().enumerate();
-        let shares = nodes.clone().map(|(b, &s)| {
+        let mut are_rows = self.s.len() == count;
+        for row in self.ds {
+            are_rows &= row.len() >= count;
+        }
+        if !are_rows {
+            return false;
+        }
+        // SAFETY: each row has an entry for every node.
+        let node = |a: usize| unsafe {
+            let slopes: [f64; P] = core::array::from_fn(|j| *self.ds[j].as_ptr().add(a));
+            (*self.s.as_ptr().add(a), slopes)
+        };
+        let shares = (0..count).map(|b| {
+            let (s, slopes) = node(b);
             let (mut right, mut turn) = ([0.0; D], [0.0; P]);
             for j in 0..P {
-                let slope = slope(j, b);
                 for k in 0..D {
-                    let term = slope * self.right[j][k];
+                    let term = slopes[j] * self.right[j][k];
                     right[k] = if j == 0 { term } else { right[k] + term };
                 }
                 for i in 0..P {
-                    let term = slope * self.turn[i][j];
+                    let term = slopes[j] * self.turn[i][j];
                     turn[i] = if j == 0 { term } else { turn[i] + term };
                 }
             }
@@ -222,8 +283,7 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
             u: u.map(|row| &*row),
             g: g.map(|row| &*row),
         };
-        let nodes = nodes.map(|(a, &s)| (s, core::array::from_fn(|j| slope(j, a))));
-        write::<T, D, P>(nodes, self.n, &factors, to, first)
+        write::<T, D, P>((0..count).map(node), self.n, &factors, to, first)
     }
 
     /// All rows, where the processor has the lanes for it; false where K was not touched.
@@ -236,21 +296,34 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
     ) -> bool {
         #[cfg(target_arch = "x86_64")]
         if Width::widest() >= Width::Four {
-            #[target_feature(enable = "avx2")]
-            #[inline(never)]
-            fn four<const D: usize, const P: usize>(
-                contraction: &Contraction<'_, D, P>,
-                scratch: ([&mut [f64]; D], [&mut [f64]; P]),
-                to: (&mut [f64], usize),
-                first: bool,
-            ) -> bool {
-                contraction.write::<Four>(scratch, to, first)
-            }
+            // compiled for the numbers of nodes that most elements have, and for any
+            let kernel = match self.s.len() {
+                4 => four::<D, P, 4>,
+                5 => four::<D, P, 5>,
+                7 => four::<D, P, 7>,
+                8 => four::<D, P, 8>,
+                10 => four::<D, P, 10>,
+                _ => four::<D, P, 0>,
+            };
             // SAFETY: the processor has AVX2.
-            return unsafe { four(self, scratch, to, first) };
+            return unsafe { kernel(self, scratch, to, first) };
         }
         false
     }
+}
+
+/// All rows of N nodes, of any number where N = 0.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+#[inline(never)]
+fn four<const D: usize, const P: usize, const N: usize>(
+    contraction: &Contraction<'_, D, P>,
+    scratch: ([&mut [f64]; D], [&mut [f64]; P]),
+    to: (&mut [f64], usize),
+    first: bool,
+) -> bool {
+    let count = if N == 0 { contraction.s.len() } else { N };
+    contraction.write::<Four>(count, scratch, to, first)
 }
 
 /// A vector as a quadruple.

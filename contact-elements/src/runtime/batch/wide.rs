@@ -17,6 +17,11 @@ pub trait Quad: Copy + Add<Output = Self> + Mul<Output = Self> {
     fn same(value: f64) -> Self;
     /// To the first places; nothing where there are too few.
     fn store(self, to: &mut [f64]);
+    /// To `to`.
+    ///
+    /// # Safety
+    /// There is room for four numbers.
+    unsafe fn store_at(self, to: *mut f64);
 }
 
 /// Several numbers side by side.

@@ -291,6 +291,11 @@ impl Quad for Four {
     fn store(self, to: &mut [f64]) {
         Wide::store(self, to);
     }
+    #[inline(always)]
+    unsafe fn store_at(self, to: *mut f64) {
+        // SAFETY: promised by the caller.
+        unsafe { Wide::store_at(self, to) }
+    }
 }
 
 /// Eight numbers: AVX-512.

@@ -157,6 +157,7 @@ impl<const D: usize, const P: usize> Receiver for Assembly<'_, D, P> {
     // the contraction calls neither
     fn multiplier(&mut self, _: (usize, usize), _: f64) {}
     fn coupling(&mut self, _: usize, _: usize, _: f64) {}
+    fn clear(&mut self, _: usize) {}
     fn report(&mut self, _: usize, _: &Report) {}
     fn energy(&mut self, energy: f64) {
         self.result.energy += energy;

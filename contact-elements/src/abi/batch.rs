@@ -5,11 +5,12 @@ use core::cell::Cell;
 
 use super::batch_check::{Checked, Layout};
 use super::evaluate::{fault_of, history, parameters, slave_row, wanted, workspace};
+use super::outputs::Outputs;
 use super::screen::Screening;
 use super::sizes::{Fault, reported, slave_count};
 use super::target::Target;
 use super::types::{Batch, is_whole};
-use super::{Descriptor, OUTPUT_SIZE, argument, code, request};
+use super::{Descriptor, argument, code, request};
 use crate::runtime::{
     AllPlaces, Call, Contacts, Coordinates, Nodes, Places, ROOM, Status, Wanted, Width, one_by_one,
 };
@@ -127,6 +128,7 @@ pub(super) fn evaluate(checked: Checked<'_>, memory: &mut [f64], width: Width) -
     // SAFETY: promised by the caller of the batch; there is a first contact.
     let shared = unsafe { checked.parameters_of(0) };
     let mut run = Run {
+        outputs: Outputs::new(&checked),
         screening: Screening::new(&checked),
         checked,
         shared,
@@ -143,6 +145,7 @@ pub(super) fn evaluate(checked: Checked<'_>, memory: &mut [f64], width: Width) -
 /// A batch at work. Made of a batch that was checked, whose caller promised its pointers.
 pub struct Run<'a> {
     checked: Checked<'a>,
+    pub(super) outputs: Outputs,
     /// Parameters of the first contact.
     shared: Result<&'a [f64], Fault>,
     memory: &'a mut [f64],
@@ -155,6 +158,44 @@ impl Run<'_> {
     #[inline]
     pub(super) fn checked(&self) -> &Checked<'_> {
         &self.checked
+    }
+
+    /// # Safety
+    /// As [`element_evaluate_batch`].
+    unsafe fn one(&mut self, e: usize) -> (Status, Fault) {
+        let checked = &self.checked;
+        let batch = checked.batch;
+        // SAFETY: promised by the caller.
+        let parameters = match unsafe { checked.parameters_of(e) } {
+            Ok(parameters) => parameters,
+            Err(fault) => return (Status::Open, fault),
+        };
+        // SAFETY: promised by the caller.
+        let (history, row) = unsafe {
+            let row = shifted(batch.slave_row, e * (checked.nslave + 1));
+            (
+                checked.history_of(e),
+                slave_row(checked.element, row, checked.nslave),
+            )
+        };
+        let call = Call {
+            parameters,
+            history,
+            slave_row: row.unwrap_or(&[]),
+            wanted: wanted(batch.request),
+        };
+        // SAFETY: promised by the caller.
+        let nodes = unsafe { checked.nodes_of(e) };
+        let mut target = self.outputs.of(e);
+        match (checked.element.kernel)(&call, &nodes, self.memory, &mut target) {
+            Ok(summary) => {
+                if batch.request & request::SYMMETRISE != 0 && !target.k.is_null() {
+                    target.symmetrise();
+                }
+                (summary.status, (code::SUCCESS, argument::NONE, 0))
+            }
+            Err(error) => (error.status().unwrap_or(Status::Open), fault_of(error)),
+        }
     }
 
     #[inline]
@@ -246,14 +287,13 @@ impl Contacts for Run<'_> {
 
     #[inline(always)]
     fn receiver(&self, contact: usize) -> Target {
-        // SAFETY: promised by the caller.
-        unsafe { self.checked.target(contact) }
+        self.outputs.of(contact)
     }
 
     #[inline(never)]
     fn evaluate_alone(&mut self, contact: usize) {
         // SAFETY: promised by the caller.
-        let (status, fault) = unsafe { self.checked.one(contact, self.memory) };
+        let (status, fault) = unsafe { self.one(contact) };
         self.note(contact, status, fault);
     }
 
@@ -303,42 +343,6 @@ impl<'a> Checked<'a> {
 
     /// # Safety
     /// As [`element_evaluate_batch`].
-    unsafe fn one(&self, e: usize, memory: &mut [f64]) -> (Status, Fault) {
-        let batch = self.batch;
-        // SAFETY: promised by the caller.
-        let parameters = match unsafe { self.parameters_of(e) } {
-            Ok(parameters) => parameters,
-            Err(fault) => return (Status::Open, fault),
-        };
-        // SAFETY: promised by the caller.
-        let (history, row) = unsafe {
-            let row = shifted(batch.slave_row, e * (self.nslave + 1));
-            (
-                self.history_of(e),
-                slave_row(self.element, row, self.nslave),
-            )
-        };
-        let call = Call {
-            parameters,
-            history,
-            slave_row: row.unwrap_or(&[]),
-            wanted: wanted(batch.request),
-        };
-        // SAFETY: promised by the caller.
-        let (nodes, mut target) = unsafe { (self.nodes_of(e), self.target(e)) };
-        match (self.element.kernel)(&call, &nodes, memory, &mut target) {
-            Ok(summary) => {
-                if batch.request & request::SYMMETRISE != 0 && !target.k.is_null() {
-                    target.symmetrise();
-                }
-                (summary.status, (code::SUCCESS, argument::NONE, 0))
-            }
-            Err(error) => (error.status().unwrap_or(Status::Open), fault_of(error)),
-        }
-    }
-
-    /// # Safety
-    /// As [`element_evaluate_batch`].
     #[inline(always)]
     unsafe fn nodes_of(&self, e: usize) -> Nodes<'a> {
         let batch = self.batch;
@@ -358,45 +362,6 @@ impl<'a> Checked<'a> {
                 core::slice::from_raw_parts(list, self.nodes)
             }),
             count: self.nodes,
-        }
-    }
-
-    /// # Safety
-    /// As [`element_evaluate_batch`].
-    #[inline(always)]
-    pub(super) unsafe fn target(&self, e: usize) -> Target {
-        let batch = self.batch;
-        let unknowns = self.unknowns();
-        let at = |bit: u32, pointer: *mut f64, stride: usize| {
-            if batch.request & bit == 0 || pointer.is_null() {
-                core::ptr::null_mut()
-            } else {
-                // SAFETY: promised by the caller; the offset was checked.
-                unsafe { pointer.add(e * stride) }
-            }
-        };
-        let points = self.element.points;
-        Target {
-            unknowns,
-            history_layout: self.element.history_layout(),
-            f: at(request::RESIDUAL, batch.f, self.f_stride),
-            k: at(request::TANGENT, batch.k, self.k_stride),
-            row_stride: unknowns,
-            column_stride: 1,
-            map: core::ptr::null(),
-            f_scale: self.f_scale,
-            k_scale: self.k_scale,
-            global_f: at(request::RESIDUAL, batch.global_f, 0),
-            turn: self.turn,
-            // SAFETY: promised by the caller.
-            connectivity: unsafe { shifted(batch.connectivity, e * self.nodes) },
-            dimension: self.element.dimension,
-            csr_values: at(request::TANGENT, batch.csr_values, 0),
-            // SAFETY: promised by the caller.
-            csr_map: unsafe { shifted(batch.csr_map, e * unknowns * unknowns) },
-            output: at(request::OUTPUT, batch.output, points * OUTPUT_SIZE),
-            history: at(request::HISTORY, batch.hist_new, self.element.history()).cast(),
-            energy: at(request::ENERGY, batch.energy, 1),
         }
     }
 }

@@ -12,6 +12,7 @@ mod describe;
 mod evaluate;
 pub mod fortran;
 mod messages;
+mod outputs;
 mod patch;
 mod project;
 mod safe;

@@ -105,7 +105,8 @@ impl Run<'_> {
         let checked = self.checked();
         let (element, bits) = (checked.element, checked.batch.request);
         // SAFETY: promised by the caller of the batch.
-        let (history, mut target) = unsafe { (checked.history_of(number), checked.target(number)) };
+        let history = unsafe { checked.history_of(number) };
+        let mut target = self.outputs.of(number);
         let is_reported = bits & (request::HISTORY | request::OUTPUT) != 0;
         let mut zeta = element.centre;
         if let (Some(history), true) = (history, is_reported) {

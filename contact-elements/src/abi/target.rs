@@ -7,7 +7,7 @@ use super::threads::Turn;
 use crate::runtime::{HistoryLayout, Receiver, Report};
 
 /// Outputs of one element. Null pointers are outputs that nobody asked for.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Target {
     pub(super) unknowns: usize,
     /// The history of a point.
@@ -249,10 +249,11 @@ impl Receiver for Target {
             }
             return;
         }
+        let scale = self.f_scale;
         // SAFETY: f has an entry for every unknown, and nothing else refers to it now.
         let to = unsafe { core::slice::from_raw_parts_mut(self.f, forces.len()) };
         for (to, &value) in to.iter_mut().zip(forces) {
-            *to = self.f_scale * value;
+            *to = scale * value;
         }
     }
 

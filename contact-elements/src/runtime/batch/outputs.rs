@@ -4,7 +4,7 @@
 
 use super::Contacts;
 use super::block::{MOST_UNKNOWNS, Points, ROOM, Records, VECTORS};
-use super::wide::Wide;
+use super::wide::{Quad, Wide};
 use crate::runtime::enforcement::remembered;
 use crate::runtime::receiver::{Receiver, Report};
 use crate::runtime::rolling::Rolling;
@@ -29,6 +29,7 @@ pub(super) fn write<C: Contacts, T: Wide, const D: usize, const P: usize, const 
     let mut scratch = Scratch::<D, P, N> {
         u: [[0.0; ROW]; D],
         g: [[0.0; ROW]; P],
+        forces: [0.0; ROW],
         matrix: [[[[0.0; D]; N]; D]; N],
     };
     for (slot, &contact) in numbers.iter().enumerate() {
@@ -49,7 +50,8 @@ pub(super) fn write<C: Contacts, T: Wide, const D: usize, const P: usize, const 
             let vectors = &records.vectors[own % ROOM];
             let nodes = &records.nodes[own % ROOM];
             if wanted.residual {
-                residual::<_, D, N>(nodes, &vectors[0], traction, &mut receiver);
+                let forces = &mut scratch.forces;
+                residual::<_, T::Quad, D, N>(nodes, &vectors[0], traction, forces, &mut receiver);
             }
             if wanted.tangent {
                 tangent::<_, T, D, P, N>(nodes, vectors, &mut scratch, &mut receiver);
@@ -72,25 +74,26 @@ pub(super) fn write<C: Contacts, T: Wide, const D: usize, const P: usize, const 
 struct Scratch<const D: usize, const P: usize, const N: usize> {
     u: [[f64; ROW]; D],
     g: [[f64; ROW]; P],
+    forces: [f64; ROW],
     /// K, where it does not go to its place at once.
     matrix: [[[[f64; D]; N]; D]; N],
 }
 
-/// Residual of a closed contact.
+/// Residual of a closed contact; `forces` is scratch.
 #[inline(always)]
-fn residual<R: Receiver, const D: usize, const N: usize>(
+fn residual<R: Receiver, Q: Quad, const D: usize, const N: usize>(
     nodes: &[[f64; 8]; N],
     n: &[f64; 4],
     traction: f64,
+    forces: &mut [f64; ROW],
     receiver: &mut R,
 ) {
-    let mut forces = [[0.0; D]; N];
-    for (to, own) in forces.iter_mut().zip(nodes) {
-        for k in 0..D {
-            to[k] = own[0] * (traction * n[k]);
-        }
+    let force = Q::same(traction) * Q::new(*n);
+    for (a, own) in nodes.iter().enumerate() {
+        let to = forces.get_mut(a * D..).unwrap_or_default();
+        (Q::same(own[0]) * force).store(to);
     }
-    receiver.forces(forces.as_flattened(), D);
+    receiver.forces(forces.get(..N * D).unwrap_or_default(), D);
 }
 
 /// Tangent of a closed contact.
@@ -101,7 +104,7 @@ fn tangent<R: Receiver, T: Wide, const D: usize, const P: usize, const N: usize>
     scratch: &mut Scratch<D, P, N>,
     receiver: &mut R,
 ) {
-    let Scratch { u, g, matrix } = scratch;
+    let Scratch { u, g, matrix, .. } = scratch;
     rows::fill::<T::Quad, D, P>(
         nodes.iter().map(|own| NodeShare {
             s: own[0],

@@ -52,7 +52,7 @@ module contact_elements
   ! Request bits
   integer(i4), parameter :: CTE_RESIDUAL = 1, CTE_TANGENT = 2, CTE_HISTORY = 4, CTE_OUTPUT = 8
   integer(i4), parameter :: CTE_ENERGY = 16, CTE_FREEZE_STATE = 32, CTE_SYMMETRISE = 64
-  integer(i4), parameter :: CTE_PROJECTION_GIVEN = 128, CTE_SCREEN = 256
+  integer(i4), parameter :: CTE_PROJECTION_GIVEN = 128, CTE_SCREEN = 256, CTE_CSR_BLOCKS = 512
 
   ! Status of a contact point
   integer(i4), parameter :: CTE_STATUS_OPEN = 0, CTE_STATUS_CLOSED = 1, CTE_STATUS_STICK = 2
@@ -233,6 +233,7 @@ module contact_elements
     type(c_funptr) :: patch_info = c_null_funptr
     type(c_funptr) :: patch_evaluate = c_null_funptr
     type(c_funptr) :: element_evaluate_batch_threads = c_null_funptr
+    type(c_funptr) :: csr_blocks = c_null_funptr
   end type cte_api_table
 
   interface
@@ -397,6 +398,18 @@ module contact_elements
       integer(i8), intent(inout) :: map(*)
       integer(i4) :: code
     end function cte_csr_map
+
+    function cte_csr_blocks(element, n, nslave, connectivity, rows, row_start, column, map) &
+        bind(c, name='cte_csr_blocks') result(code)
+      import :: i4, i8, c_ptr
+      type(c_ptr), value :: element
+      integer(i8), value :: n, rows
+      integer(i4), value :: nslave
+      integer(i4), intent(in) :: connectivity(*), column(*)
+      integer(i8), intent(in) :: row_start(*)
+      integer(i8), intent(inout) :: map(*)
+      integer(i4) :: code
+    end function cte_csr_blocks
 
     function cte_code_message(code) bind(c, name='cte_code_message') result(text)
       import :: i4, c_ptr

@@ -133,6 +133,7 @@ extern "C" {
                          * projection; its history is not looked at unless asked for. How many are left out depends
                          * on the processor. No effect on one call, with CTE_FREEZE_STATE or CTE_PROJECTION_GIVEN.
                          * Points against segments in 2D, flat triangles and bilinear facets, penalty */
+#define CTE_CSR_BLOCKS 512u /* batches: csr_map is of cte_csr_blocks. No effect on one call */
 
 /* ------------------------------------------------------------------ status of a contact point
  * The element's status is the one of its worst point, in the order
@@ -325,8 +326,8 @@ typedef struct cte_arguments {
  * zeros are CTE_ERROR_STRIDE. With `connectivity` the coordinates are gathered from global arrays instead:
  * node a of contact e is node connectivity[e*nnode + a] of x and u; the element stride is not used.
  * Outputs: f and k per contact (dense, f_element_stride, k_element_stride; 0: dense), and/or scattered:
- * global_f[unknown] += and csr_values[csr_map[e*unknowns^2 + i*unknowns + j]] += , see cte_csr_map. Both
- * need connectivity.
+ * global_f[unknown] += and csr_values[csr_map[e*unknowns^2 + i*unknowns + j]] += , see cte_csr_map; with
+ * CTE_CSR_BLOCKS the smaller map of cte_csr_blocks. Both need connectivity.
  * The contacts are evaluated one after the other in order, so sums are reproducible, with the same bits as
  * by cte_element_evaluate.
  * A fault of one contact (values, parameters, state) fails that contact alone: its code says why
@@ -355,7 +356,8 @@ typedef struct cte_batch {
   int64_t k_element_stride;    /* at least unknowns^2; 0: unknowns^2 */
   double *global_f;            /* [global_nodes*dimension]: node*dimension + component; added to */
   double *csr_values;          /* the caller's CSR values; added to */
-  const int64_t *csr_map;      /* [n][unknowns][unknowns], made once by cte_csr_map */
+  const int64_t *csr_map;      /* [n][unknowns][unknowns], made once by cte_csr_map; with CTE_CSR_BLOCKS
+                                * [n][nnode][nnode + 1], made once by cte_csr_blocks */
   double f_scale, k_scale;     /* 0: 1 */
   double *output;              /* [n][points][CTE_OUTPUT_SIZE] */
   double *energy;              /* [n] */
@@ -528,7 +530,7 @@ int32_t cte_element_evaluate_batch(const cte_element *element, int64_t n, cte_ba
  * CTE_ERROR_INDEX, CTE_ARGUMENT_THREADS. A library built without threads, the usual one, evaluates on the calling
  * thread. One built with them keeps its threads from the first call on, in the default floating-point environment;
  * takes memory for the time of the call (a word per node of global_nodes with sums; each thread a workspace and what it
- * has to add to entries of others, at most some 32 MB for each contact point); needs a csr_map of cte_csr_map: a place
+ * has to add to entries of others, at most some 32 MB for each contact point); needs a csr_map of cte_csr_map or cte_csr_blocks: a place
  * that two rows share would be added to by two threads at once. Memory that runs out half-way: CTE_ERROR_WORKSPACE,
  * CTE_ARGUMENT_WORKSPACE; all outputs are undefined then. */
 int32_t cte_element_evaluate_batch_threads(const cte_element *element, int64_t n, cte_batch *batch, int32_t threads);
@@ -539,6 +541,13 @@ int32_t cte_element_evaluate_batch_threads(const cte_element *element, int64_t n
  * nslave: as in cte_batch. map: [n][unknowns][unknowns], written only when everything was found. */
 int32_t cte_csr_map(const cte_element *element, int64_t n, int32_t nslave, const int32_t *connectivity,
                     int64_t rows, const int64_t *row_start, const int32_t *column, int64_t *map);
+
+/* The same with a place for every pair of nodes (PointQuad4: 30 numbers instead of 225): position of the entry of the
+ * first unknowns of nodes a and b, and behind those of each a how far its rows are apart. Needs what meshes with all
+ * unknowns of a node side by side have: the columns of a node one after another, the rows of a node with the same
+ * columns. Where it is not so: CTE_ERROR_INDEX, and cte_csr_map serves. map: [n][nnode][nnode + 1]. */
+int32_t cte_csr_blocks(const cte_element *element, int64_t n, int32_t nslave, const int32_t *connectivity,
+                       int64_t rows, const int64_t *row_start, const int32_t *column, int64_t *map);
 
 /* What a return code means; static, never null. */
 const char *cte_code_message(int32_t code);
@@ -581,6 +590,7 @@ typedef struct cte_api_table {
   int32_t (*patch_info)(const cte_patch *, cte_info *, int32_t *);
   int32_t (*patch_evaluate)(const cte_patch *, cte_arguments *);
   int32_t (*element_evaluate_batch_threads)(const cte_element *, int64_t, cte_batch *, int32_t);
+  int32_t (*csr_blocks)(const cte_element *, int64_t, int32_t, const int32_t *, int64_t, const int64_t *, const int32_t *, int64_t *);
 } cte_api_table;
 
 /* Fills *table. major: CTE_VERSION_MAJOR of this header. CTE_ERROR_VERSION when the library's differs. */

@@ -36,7 +36,8 @@ fn way<'a>(name: &str, run: impl FnMut() + 'a) -> Way<'a> {
 pub fn threads(rounds: usize) {
     for (title, into) in [
         ("R and K of every contact", Into::Own),
-        ("R and K into CSR", Into::Csr),
+        ("R and K into CSR, a place for every entry", Into::Csr),
+        ("R and K into CSR, by blocks", Into::Blocks),
         ("R into a vector", Into::Vector),
     ] {
         let mut grid = Grid::new(SIDE);
@@ -127,16 +128,17 @@ fn both_free() -> bool {
 
 /// Kernels alone against kernels and sums.
 pub fn assembly(rounds: usize) {
-    let grids = [0, 1, 2, 3].map(|_| Grid::new(SIDE));
+    let grids = [0, 1, 2, 3, 4].map(|_| Grid::new(SIDE));
     let (x, count) = (grids[0].positions(1, 5), grids[0].count);
-    let map_time = 1e9 * grids[0].map_time / count as f64;
+    let [map, blocks] = grids[0].map_times.map(|time| 1e9 * time / count as f64);
     let cases = [
         (
             "kernels, f and k of 256 contacts again and again",
             Into::Again(256),
         ),
         ("kernels, f and k of every contact", Into::Own),
-        ("into CSR", Into::Csr),
+        ("into CSR, a place for every entry", Into::Csr),
+        ("into CSR, by blocks", Into::Blocks),
         ("R alone, into the vector", Into::Vector),
     ];
     let mut ways: Vec<Way<'_>> = cases
@@ -151,7 +153,9 @@ pub fn assembly(rounds: usize) {
         .collect();
     measure(&mut ways, rounds, count);
     print(
-        &format!("assembly of {count} contacts, wall time; the map once: {map_time:.0} ns"),
+        &format!(
+            "assembly of {count} contacts, wall time; the maps once: {map:.0} ns, {blocks:.0} ns"
+        ),
         &mut ways,
     );
 }
@@ -159,7 +163,8 @@ pub fn assembly(rounds: usize) {
 /// Many candidates, few of them closed, against the closed ones alone.
 pub fn candidates(rounds: usize) {
     for (title, into) in [
-        ("R and K into CSR", Into::Csr),
+        ("R and K into CSR, a place for every entry", Into::Csr),
+        ("R and K into CSR, by blocks", Into::Blocks),
         ("R into a vector", Into::Vector),
     ] {
         let mut all = Grid::new(SIDE);

@@ -4,7 +4,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use contact_elements::abi::{
-    Batch, csr_map, element_evaluate_batch, element_evaluate_batch_threads, request,
+    Batch, Sparse, csr_blocks, csr_map, element_evaluate_batch, element_evaluate_batch_threads,
+    request,
 };
 use contact_elements::elements::PointQuad4;
 
@@ -13,6 +14,7 @@ use crate::states::Random;
 const PARAMETERS: [f64; 3] = [1000.0, 0.0, 1.0];
 const UNKNOWNS: usize = 15;
 const MATRIX: usize = UNKNOWNS * UNKNOWNS;
+const BLOCKS: usize = 5 * 6;
 
 /// Points against bilinear facets of size 2: node numbers, starts and the places of their matrices.
 pub struct Grid {
@@ -21,10 +23,11 @@ pub struct Grid {
     connectivity: Vec<i32>,
     history: Vec<f64>,
     map: Vec<i64>,
+    blocks: Vec<i64>,
     global_f: Vec<f64>,
     csr_values: Vec<f64>,
-    /// Time of `cte_csr_map` [s].
-    pub map_time: f64,
+    /// Time of `cte_csr_map` and of `cte_csr_blocks` [s].
+    pub map_times: [f64; 2],
     /// Leaves open contacts unprojected.
     pub screens: bool,
 }
@@ -32,8 +35,10 @@ pub struct Grid {
 /// Where the outputs go.
 #[derive(Clone, Copy)]
 pub enum Into {
-    /// Sums.
+    /// Sums, a place for every entry.
     Csr,
+    /// Sums, a place for every pair of nodes.
+    Blocks,
     /// Sums of the residual, K nowhere.
     Vector,
     /// f and k of every contact.
@@ -60,9 +65,10 @@ impl Grid {
             connectivity: vec![],
             history: vec![],
             map: vec![],
+            blocks: vec![],
             global_f: vec![],
             csr_values: vec![],
-            map_time: 0.0,
+            map_times: [0.0; 2],
             screens: false,
         };
         for facet in 0..count {
@@ -100,22 +106,27 @@ impl Grid {
         self.global_f = vec![0.0; starts.len() - 1];
         self.csr_values = vec![0.0; columns.len()];
         self.map = vec![0; self.count * MATRIX];
-        let start = Instant::now();
-        // SAFETY: all arrays have the extents of the header.
-        let code = unsafe {
-            csr_map(
-                PointQuad4::DESCRIPTOR,
-                self.count as i64,
-                0,
-                self.connectivity.as_ptr(),
-                self.global_f.len() as i64,
-                starts.as_ptr(),
-                columns.as_ptr(),
-                self.map.as_mut_ptr(),
-            )
+        self.blocks = vec![0; self.count * BLOCKS];
+        let sparse = Sparse {
+            element: PointQuad4::DESCRIPTOR,
+            n: self.count as i64,
+            nslave: 0,
+            connectivity: self.connectivity.as_ptr(),
+            rows: self.global_f.len() as i64,
+            row_start: starts.as_ptr(),
+            column: columns.as_ptr(),
         };
-        self.map_time = start.elapsed().as_secs_f64();
-        assert_eq!(code, 0);
+        let timed = |make: unsafe fn(Sparse, *mut i64) -> i32, map: &mut [i64]| {
+            let start = Instant::now();
+            // SAFETY: all arrays have the extents of the header.
+            let code = unsafe { make(sparse, map.as_mut_ptr()) };
+            assert_eq!(code, 0);
+            start.elapsed().as_secs_f64()
+        };
+        self.map_times = [
+            timed(csr_map, &mut self.map),
+            timed(csr_blocks, &mut self.blocks),
+        ];
     }
 
     /// Positions: one contact in `apart` is closed.
@@ -151,9 +162,10 @@ impl Grid {
             connectivity: every(&self.connectivity, 5, apart),
             history: every(&self.history, 3, apart),
             map: every(&self.map, MATRIX, apart),
+            blocks: every(&self.blocks, BLOCKS, apart),
             global_f: self.global_f.clone(),
             csr_values: self.csr_values.clone(),
-            map_time: 0.0,
+            map_times: [0.0; 2],
             screens: false,
         }
     }
@@ -164,7 +176,7 @@ impl Grid {
             Into::Again(length) => length,
             _ => self.count,
         };
-        let own = if let Into::Csr | Into::Vector = into {
+        let own = if let Into::Csr | Into::Blocks | Into::Vector = into {
             0
         } else {
             length
@@ -178,6 +190,10 @@ impl Grid {
         batch.request = request::RESIDUAL;
         if !matches!(into, Into::Vector) {
             batch.request |= request::TANGENT;
+        }
+        let has_blocks = matches!(into, Into::Blocks);
+        if has_blocks {
+            batch.request |= request::CSR_BLOCKS;
         }
         if self.screens {
             batch.request |= request::SCREEN;
@@ -194,7 +210,11 @@ impl Grid {
             let n = length.min(self.count - first) as i64;
             batch.connectivity = self.connectivity[5 * first..].as_ptr();
             batch.hist_old = self.history[3 * first..].as_ptr();
-            batch.csr_map = self.map[MATRIX * first..].as_ptr();
+            batch.csr_map = if has_blocks {
+                self.blocks[BLOCKS * first..].as_ptr()
+            } else {
+                self.map[MATRIX * first..].as_ptr()
+            };
             batch.status = room.status[first..].as_mut_ptr();
             let element = PointQuad4::DESCRIPTOR;
             // SAFETY: all arrays have the extents of the header.

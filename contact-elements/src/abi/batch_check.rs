@@ -82,6 +82,15 @@ impl<'a> Checked<'a> {
         self.element.unknowns(self.nodes)
     }
 
+    /// Places that the scatter map has for each contact.
+    pub(super) fn map_size(&self) -> usize {
+        if self.batch.request & request::CSR_BLOCKS == 0 {
+            self.unknowns() * self.unknowns()
+        } else {
+            self.nodes * (self.nodes + 1)
+        }
+    }
+
     fn check_pointers(&self) -> Result<(), Fault> {
         let batch = self.batch;
         let wants = |bit: u32| batch.request & bit != 0;
@@ -168,7 +177,7 @@ impl<'a> Checked<'a> {
         let mapped = if self.batch.csr_map.is_null() {
             0
         } else {
-            self.unknowns() * self.unknowns()
+            self.map_size()
         };
         let largest = mapped
             .max(self.element.history())

@@ -1,68 +1,76 @@
-//! The scatter map into a sparse matrix, made once.
+//! The scatter maps into a sparse matrix, made once: a place for every entry, or one for every pair of nodes.
 
 use super::sizes::{MOST_ENTRIES, slave_count};
 use super::{Descriptor, code};
+
+/// The caller's sparse matrix and the elements that go into it, as `cte_csr_map` takes them.
+#[derive(Clone, Copy, Debug)]
+pub struct Sparse {
+    /// The element.
+    pub element: *const Descriptor,
+    /// Contacts.
+    pub n: i64,
+    /// Slave nodes of an interpolated slave.
+    pub nslave: i32,
+    /// Nodes of every contact.
+    pub connectivity: *const i32,
+    /// Rows of the matrix.
+    pub rows: i64,
+    /// Where each row begins, and the end of the last.
+    pub row_start: *const i64,
+    /// Columns, row by row.
+    pub column: *const i32,
+}
+
+/// What has a place of its own.
+#[derive(Clone, Copy)]
+enum Kind {
+    Entries,
+    Blocks,
+}
 
 /// `cte_csr_map`.
 ///
 /// # Safety
 /// Pointers are null or have the shapes that the header gives.
-#[allow(clippy::too_many_arguments)]
-pub unsafe fn csr_map(
-    element: *const Descriptor,
-    n: i64,
-    nslave: i32,
-    connectivity: *const i32,
-    rows: i64,
-    row_start: *const i64,
-    column: *const i32,
-    map: *mut i64,
-) -> i32 {
+pub unsafe fn csr_map(sparse: Sparse, map: *mut i64) -> i32 {
     // SAFETY: promised by the caller.
-    let Some(element) = (unsafe { element.as_ref() }) else {
-        return code::NULL;
+    unsafe { make(&sparse, map, Kind::Entries) }
+}
+
+/// `cte_csr_blocks`.
+///
+/// # Safety
+/// Pointers are null or have the shapes that the header gives.
+pub unsafe fn csr_blocks(sparse: Sparse, map: *mut i64) -> i32 {
+    // SAFETY: promised by the caller.
+    unsafe { make(&sparse, map, Kind::Blocks) }
+}
+
+/// Writes the places of all contacts; nothing where one of them has none.
+///
+/// # Safety
+/// As [`csr_map`].
+unsafe fn make(sparse: &Sparse, map: *mut i64, kind: Kind) -> i32 {
+    // SAFETY: promised by the caller.
+    let (pattern, n) = match unsafe { pattern(sparse, map) } {
+        Ok(Some(checked)) => checked,
+        Ok(None) => return code::SUCCESS,
+        Err(code) => return code,
     };
-    let (Ok(n), Ok(rows)) = (usize::try_from(n), usize::try_from(rows)) else {
+    let entries = n.checked_mul(pattern.size(kind));
+    if entries.is_none_or(|entries| entries > MOST_ENTRIES) {
         return code::INDEX;
-    };
-    let nodes = match slave_count(element, nslave) {
-        Ok(nslave) => element.nodes(nslave),
-        Err((code, ..)) => return code,
-    };
-    if n == 0 {
-        return code::SUCCESS;
     }
-    if connectivity.is_null() || row_start.is_null() || column.is_null() || map.is_null() {
-        return code::NULL;
-    }
-    let unknowns = element.unknowns(nodes);
-    let entries = n.checked_mul(unknowns * unknowns);
-    if entries.is_none_or(|entries| entries > MOST_ENTRIES) || rows >= MOST_ENTRIES {
-        return code::INDEX;
-    }
-    // SAFETY: promised by the caller; both lengths fit the memory.
-    let pattern = unsafe {
-        let starts = core::slice::from_raw_parts(row_start, rows + 1);
-        match usize::try_from(starts.last().copied().unwrap_or(0)) {
-            Ok(length) if length <= MOST_ENTRIES => Pattern {
-                element,
-                nodes,
-                connectivity: core::slice::from_raw_parts(connectivity, n * nodes),
-                starts,
-                columns: core::slice::from_raw_parts(column, length),
-            },
-            _ => return code::INDEX,
-        }
-    };
     // everything is looked up before anything is written
-    if (0..n).any(|e| pattern.positions(e, unknowns, |_| {}).is_none()) {
+    if (0..n).any(|e| pattern.places(kind, e, &mut |_| {}).is_none()) {
         return code::INDEX;
     }
     let mut number = 0;
     for e in 0..n {
-        let found = pattern.positions(e, unknowns, |position| {
-            // SAFETY: the map has n · unknowns² entries.
-            unsafe { *map.add(number) = position as i64 };
+        let found = pattern.places(kind, e, &mut |place| {
+            // SAFETY: the map has so many entries for every contact.
+            unsafe { *map.add(number) = place as i64 };
             number += 1;
         });
         debug_assert!(found.is_some());
@@ -70,16 +78,72 @@ pub unsafe fn csr_map(
     code::SUCCESS
 }
 
+/// What the caller handed in, checked, and the number of contacts; none where there are none.
+///
+/// # Safety
+/// As [`csr_map`].
+unsafe fn pattern<'a>(sparse: &Sparse, map: *mut i64) -> Result<Option<(Pattern<'a>, usize)>, i32> {
+    // SAFETY: promised by the caller.
+    let element = unsafe { sparse.element.as_ref() }.ok_or(code::NULL)?;
+    let (Ok(n), Ok(rows)) = (usize::try_from(sparse.n), usize::try_from(sparse.rows)) else {
+        return Err(code::INDEX);
+    };
+    let nslave = slave_count(element, sparse.nslave).map_err(|(code, ..)| code)?;
+    let nodes = element.nodes(nslave);
+    if n == 0 {
+        return Ok(None);
+    }
+    let (connectivity, starts, columns) = (sparse.connectivity, sparse.row_start, sparse.column);
+    if connectivity.is_null() || starts.is_null() || columns.is_null() || map.is_null() {
+        return Err(code::NULL);
+    }
+    let listed = n.checked_mul(nodes);
+    let listed = listed.filter(|&listed| listed <= MOST_ENTRIES && rows < MOST_ENTRIES);
+    let listed = listed.ok_or(code::INDEX)?;
+    // SAFETY: promised by the caller; the lengths fit the memory.
+    unsafe {
+        let starts = core::slice::from_raw_parts(starts, rows + 1);
+        let length = usize::try_from(starts.last().copied().unwrap_or(0)).ok();
+        let length = length.filter(|&length| length <= MOST_ENTRIES);
+        let pattern = Pattern {
+            element,
+            nodes,
+            unknowns: element.unknowns(nodes),
+            connectivity: core::slice::from_raw_parts(connectivity, listed),
+            starts,
+            columns: core::slice::from_raw_parts(columns, length.ok_or(code::INDEX)?),
+        };
+        Ok(Some((pattern, n)))
+    }
+}
+
 /// A sparse matrix and the elements that go into it.
 struct Pattern<'a> {
     element: &'a Descriptor,
     nodes: usize,
+    unknowns: usize,
     connectivity: &'a [i32],
     starts: &'a [i64],
     columns: &'a [i32],
 }
 
 impl Pattern<'_> {
+    /// Places of an element.
+    fn size(&self, kind: Kind) -> usize {
+        match kind {
+            Kind::Entries => self.unknowns * self.unknowns,
+            Kind::Blocks => self.nodes * (self.nodes + 1),
+        }
+    }
+
+    /// The places of element `e`; none where one is missing.
+    fn places(&self, kind: Kind, e: usize, take: &mut dyn FnMut(usize)) -> Option<()> {
+        match kind {
+            Kind::Entries => self.entries(e, take),
+            Kind::Blocks => self.blocks(e, take),
+        }
+    }
+
     /// Row of an element's unknown.
     fn row(&self, e: usize, unknown: usize) -> Option<usize> {
         let (a, component) = self.element.place(self.nodes, unknown);
@@ -88,15 +152,19 @@ impl Pattern<'_> {
         (row + 1 < self.starts.len()).then_some(row)
     }
 
+    /// Where a row begins, and its columns.
+    fn columns(&self, row: usize) -> Option<(usize, &[i32])> {
+        let start = usize::try_from(*self.starts.get(row)?).ok()?;
+        let end = usize::try_from(*self.starts.get(row + 1)?).ok()?;
+        Some((start, self.columns.get(start..end)?))
+    }
+
     /// Where the entries of element `e` stand, row by row; none where one is missing.
-    fn positions(&self, e: usize, unknowns: usize, mut take: impl FnMut(usize)) -> Option<()> {
-        for i in 0..unknowns {
-            let row = self.row(e, i)?;
-            let start = usize::try_from(*self.starts.get(row)?).ok()?;
-            let end = usize::try_from(*self.starts.get(row + 1)?).ok()?;
-            let columns = self.columns.get(start..end)?;
+    fn entries(&self, e: usize, take: &mut dyn FnMut(usize)) -> Option<()> {
+        for i in 0..self.unknowns {
+            let (start, columns) = self.columns(self.row(e, i)?)?;
             let mut next = 0;
-            for j in 0..unknowns {
+            for j in 0..self.unknowns {
                 let wanted = i32::try_from(self.row(e, j)?).ok()?;
                 // the components of a node stand side by side
                 let found = match columns.get(next) {
@@ -108,5 +176,45 @@ impl Pattern<'_> {
             }
         }
         Some(())
+    }
+
+    /// Where the first entries of the blocks of element `e` stand, node by node, and how far the rows of the node are
+    /// apart; none where an entry is missing or stands elsewhere.
+    fn blocks(&self, e: usize, take: &mut dyn FnMut(usize)) -> Option<()> {
+        for a in 0..self.nodes {
+            let (first, components) = self.unknowns_of(a);
+            let row = self.row(e, first)?;
+            let (start, columns) = self.columns(row)?;
+            let apart = match components {
+                1 => 0,
+                _ => self.columns(row + 1)?.0.checked_sub(start)?,
+            };
+            for b in 0..self.nodes {
+                let (unknown, width) = self.unknowns_of(b);
+                let wanted = i32::try_from(self.row(e, unknown)?).ok()?;
+                let found = columns.binary_search(&wanted).ok()?;
+                for component in 0..components {
+                    let (own, columns) = self.columns(row + component)?;
+                    let block = columns.get(found..found + width)?;
+                    let is_there = block.iter().zip(wanted..).all(|(&column, at)| column == at);
+                    (is_there && own == start + component * apart).then_some(())?;
+                }
+                take(start + found);
+            }
+            take(apart);
+        }
+        Some(())
+    }
+
+    /// The first unknown of a node, and how many it has.
+    fn unknowns_of(&self, node: usize) -> (usize, usize) {
+        let (d, positions) = (
+            self.element.dimension,
+            self.nodes - self.element.multipliers(),
+        );
+        match node.checked_sub(positions) {
+            Some(multiplier) => (positions * d + multiplier, 1),
+            None => (node * d, d),
+        }
     }
 }

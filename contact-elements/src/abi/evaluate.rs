@@ -3,6 +3,7 @@
 use core::cell::Cell;
 
 use super::describe::bad_parameter;
+use super::places::Map;
 use super::sizes::{Fault, MOST_UNKNOWNS, extent, reported, slave_count, spacing};
 use super::target::Target;
 use super::threads::Turn;
@@ -334,7 +335,7 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
         connectivity: core::ptr::null(),
         dimension: element.dimension,
         csr_values: core::ptr::null_mut(),
-        csr_map: core::ptr::null(),
+        csr_map: Map::NONE,
         turn: Turn::FREE,
         output: if_wanted(request::OUTPUT, arguments.output),
         history: if_wanted(request::HISTORY, arguments.hist_new).cast(),

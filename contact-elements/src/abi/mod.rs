@@ -14,6 +14,7 @@ pub mod fortran;
 mod messages;
 mod outputs;
 mod patch;
+mod places;
 mod project;
 mod safe;
 mod screen;
@@ -27,7 +28,7 @@ mod types;
 pub use augment::{augment, history_augment};
 pub use batch::{Run, element_batch_workspace, element_evaluate_batch, element_evaluate_batch_in};
 pub use codes::{argument, code, kind, request};
-pub use csr::csr_map;
+pub use csr::{Sparse, csr_blocks, csr_map};
 pub use describe::{
     api, element_check_parameters, element_count, element_find, element_get, element_history_init,
     element_info, element_parameter, element_unknown,
@@ -260,7 +261,7 @@ impl Descriptor {
             | request::FREEZE_STATE
             | request::PROJECTION_GIVEN;
         if self.tangent {
-            bits |= request::TANGENT | request::SYMMETRISE;
+            bits |= request::TANGENT | request::SYMMETRISE | request::CSR_BLOCKS;
         }
         if self.energy {
             bits |= request::ENERGY;

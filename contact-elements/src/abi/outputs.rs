@@ -1,6 +1,7 @@
 //! Where the outputs of each contact of a batch go.
 
 use super::batch_check::Checked;
+use super::places::Map;
 use super::target::Target;
 use super::{OUTPUT_SIZE, request};
 
@@ -11,7 +12,6 @@ pub(super) struct Outputs {
     f: usize,
     k: usize,
     connectivity: usize,
-    csr_map: usize,
     output: usize,
     history: usize,
     energy: usize,
@@ -44,7 +44,7 @@ impl Outputs {
             connectivity: batch.connectivity,
             dimension: element.dimension,
             csr_values: wanted(request::TANGENT, batch.csr_values),
-            csr_map: batch.csr_map,
+            csr_map: map(checked),
             output: wanted(request::OUTPUT, batch.output),
             history: wanted(request::HISTORY, batch.hist_new).cast(),
             energy: wanted(request::ENERGY, batch.energy),
@@ -54,7 +54,6 @@ impl Outputs {
             f: step(first.f.is_null(), checked.f_stride),
             k: step(first.k.is_null(), checked.k_stride),
             connectivity: step(first.connectivity.is_null(), checked.nodes),
-            csr_map: step(first.csr_map.is_null(), unknowns * unknowns),
             output: step(first.output.is_null(), element.points * OUTPUT_SIZE),
             history: step(first.history.is_null(), element.history()),
             energy: step(first.energy.is_null(), 1),
@@ -70,11 +69,29 @@ impl Outputs {
             f: first.f.wrapping_add(contact * self.f),
             k: first.k.wrapping_add(contact * self.k),
             connectivity: first.connectivity.wrapping_add(contact * self.connectivity),
-            csr_map: first.csr_map.wrapping_add(contact * self.csr_map),
+            csr_map: first.csr_map.of(contact),
             output: first.output.wrapping_add(contact * self.output),
             history: first.history.wrapping_add(contact * self.history),
             energy: first.energy.wrapping_add(contact * self.energy),
             ..*first
         }
+    }
+}
+
+/// The scatter map of the first contact.
+fn map(checked: &Checked<'_>) -> Map {
+    let (element, batch) = (checked.element, checked.batch);
+    let has_blocks = batch.request & request::CSR_BLOCKS != 0;
+    Map {
+        places: batch.csr_map,
+        step: if batch.csr_map.is_null() {
+            0
+        } else {
+            checked.map_size()
+        },
+        unknowns: checked.unknowns(),
+        dimension: element.dimension,
+        nodes: if has_blocks { checked.nodes } else { 0 },
+        positions: checked.nodes - element.multipliers(),
     }
 }

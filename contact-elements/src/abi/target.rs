@@ -3,6 +3,7 @@
 use core::cell::Cell;
 
 use super::OUTPUT_SIZE;
+use super::places::Map;
 use super::threads::Turn;
 use crate::runtime::{HistoryLayout, Receiver, Report};
 
@@ -26,8 +27,8 @@ pub struct Target {
     pub(super) connectivity: *const i32,
     pub(super) dimension: usize,
     pub(super) csr_values: *mut f64,
-    /// Positions of this element's entries.
-    pub(super) csr_map: *const i64,
+    /// Places of this element's entries.
+    pub(super) csr_map: Map,
     pub(super) output: *mut f64,
     pub(super) history: *const Cell<f64>,
     pub(super) energy: *mut f64,
@@ -112,22 +113,19 @@ impl Target {
 
     /// Adds to the host's sparse row, from a column of the element on.
     fn scatter(&self, unknown: usize, column: usize, values: &[f64]) {
-        // SAFETY: csr_map has unknowns² entries for this element, made by `csr_map` for these values; the connectivity
-        // was checked.
+        // SAFETY: csr_map has the places of this element, made by `csr_map` or `csr_blocks` for these values; the
+        // connectivity was checked.
         unsafe {
-            let map = self.csr_map.add(unknown * self.unknowns + column);
-            let node = || {
-                *self
-                    .connectivity
-                    .add(self.turn.node(unknown, self.dimension)) as usize
-            };
-            if !self.turn.is_free() && !self.turn.is_mine(node()) {
-                self.turn.note_row(node(), map, (values, self.k_scale));
-                return;
+            let places = self.csr_map.row(unknown, column);
+            if !self.turn.is_free() {
+                let (node, _) = self.csr_map.node(unknown);
+                let node = *self.connectivity.add(node) as usize;
+                if !self.turn.is_mine(node) {
+                    self.turn.note_row(node, places, (values, self.k_scale));
+                    return;
+                }
             }
-            for (place, &value) in values.iter().enumerate() {
-                *self.csr_values.add(*map.add(place) as usize) += self.k_scale * value;
-            }
+            places.add(self.csr_values, values, self.k_scale);
         }
     }
 

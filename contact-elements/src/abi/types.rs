@@ -183,6 +183,16 @@ pub struct ApiTable {
     pub patch_evaluate: unsafe extern "C" fn(*const Patch, *mut Arguments) -> i32,
     pub element_evaluate_batch_threads:
         unsafe extern "C" fn(*const Descriptor, i64, *mut Batch, i32) -> i32,
+    pub csr_blocks: unsafe extern "C" fn(
+        *const Descriptor,
+        i64,
+        i32,
+        *const i32,
+        i64,
+        *const i64,
+        *const i32,
+        *mut i64,
+    ) -> i32,
 }
 
 /// True where the caller's struct is at least as large as `T`.
@@ -201,5 +211,5 @@ const _: () = {
     assert!(size_of::<Arguments>() == 312);
     assert!(size_of::<Batch>() == 336);
     assert!(size_of::<Projection>() == 48);
-    assert!(size_of::<ApiTable>() == 184);
+    assert!(size_of::<ApiTable>() == 192);
 };

@@ -46,7 +46,7 @@ pub fn symbols_header(prefix: &str, elements: &[Element]) -> String {
 }
 
 /// Request bits as they stand in the header, without their prefix.
-const REQUESTS: [(&str, u32); 9] = [
+const REQUESTS: [(&str, u32); 10] = [
     ("RESIDUAL", 1),
     ("TANGENT", 2),
     ("HISTORY", 4),
@@ -56,6 +56,7 @@ const REQUESTS: [(&str, u32); 9] = [
     ("SYMMETRISE", 64),
     ("PROJECTION_GIVEN", 128),
     ("SCREEN", 256),
+    ("CSR_BLOCKS", 512),
 ];
 
 /// Fortran include file, fixed and free form alike: the request bits and the index of every element as a

@@ -1,6 +1,6 @@
 //! Random contacts of one element: good ones, and some that cannot be evaluated.
 
-use contact_elements::abi::{Descriptor, csr_map, element_history_init};
+use contact_elements::abi::{Descriptor, Sparse, csr_map, element_history_init};
 
 /// Numbers that look random.
 pub struct Random(pub u64);
@@ -185,13 +185,15 @@ impl Contacts {
         // SAFETY: all arrays have the extents of the header.
         let code = unsafe {
             csr_map(
-                self.element,
-                self.count as i64,
-                0,
-                self.connectivity.as_ptr(),
-                rows as i64,
-                start.as_ptr(),
-                columns.as_ptr(),
+                Sparse {
+                    element: self.element,
+                    n: self.count as i64,
+                    nslave: 0,
+                    connectivity: self.connectivity.as_ptr(),
+                    rows: rows as i64,
+                    row_start: start.as_ptr(),
+                    column: columns.as_ptr(),
+                },
                 self.map.as_mut_ptr(),
             )
         };

@@ -1,5 +1,6 @@
 //! Contributions to entries of another part's nodes: written down while the parts work, added when all are done.
 
+use crate::abi::places::Places;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
 use std::vec::Vec;
@@ -28,8 +29,7 @@ struct Force {
 /// Contributions to a row of a node in the host's sparse matrix.
 struct Row {
     node: usize,
-    /// Their places.
-    map: *const i64,
+    places: Places,
     length: usize,
 }
 
@@ -85,10 +85,8 @@ impl Journal {
             let values = self.values.get(first..first + row.length);
             first += row.length;
             if belongs(row.node) {
-                for (place, &value) in values.unwrap_or(&[]).iter().enumerate() {
-                    // SAFETY: promised by the caller; the map has a place for every value.
-                    unsafe { *sums.csr_values.add(*row.map.add(place) as usize) += value };
-                }
+                // SAFETY: promised by the caller; the map has a place for every value.
+                unsafe { row.places.add(sums.csr_values, values.unwrap_or(&[]), 1.0) };
             }
         }
     }
@@ -100,8 +98,6 @@ pub(in crate::abi) struct Turn {
     journal: *mut Journal,
     marks: *const AtomicUsize,
     mark: usize,
-    /// Nodes of a contact that have a position.
-    positions: usize,
 }
 
 impl Turn {
@@ -110,21 +106,14 @@ impl Turn {
         journal: core::ptr::null_mut(),
         marks: core::ptr::null(),
         mark: 0,
-        positions: 0,
     };
 
     /// The turn of a part, as long as its journal and the marks live.
-    pub(super) fn new(
-        journal: *mut Journal,
-        marks: *const AtomicUsize,
-        mark: usize,
-        positions: usize,
-    ) -> Self {
+    pub(super) fn new(journal: *mut Journal, marks: *const AtomicUsize, mark: usize) -> Self {
         Self {
             journal,
             marks,
             mark,
-            positions,
         }
     }
 
@@ -144,16 +133,6 @@ impl Turn {
         self.is_free() || unsafe { (*self.marks.add(node)).load(Ordering::Relaxed) } == self.mark
     }
 
-    /// The node of a contact's unknown, by number within the contact.
-    #[inline(always)]
-    pub(in crate::abi) fn node(&self, unknown: usize, dimension: usize) -> usize {
-        match unknown.checked_sub(self.positions * dimension) {
-            Some(multiplier) => self.positions + multiplier,
-            None if dimension == 2 => unknown / 2,
-            None => unknown / 3,
-        }
-    }
-
     /// Writes down a contribution to an entry of the host's vector.
     ///
     /// # Safety
@@ -171,11 +150,18 @@ impl Turn {
     pub(in crate::abi) unsafe fn note_row(
         &self,
         node: usize,
-        map: *const i64,
+        places: Places,
         scaled: (&[f64], f64),
     ) {
         let length = scaled.0.len();
         // SAFETY: the journal is this part's, and nothing else refers to it now.
-        unsafe { &mut *self.journal }.note_row(Row { node, map, length }, scaled);
+        unsafe { &mut *self.journal }.note_row(
+            Row {
+                node,
+                places,
+                length,
+            },
+            scaled,
+        );
     }
 }

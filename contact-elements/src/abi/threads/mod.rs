@@ -21,6 +21,8 @@ use super::sizes::Fault;
 use super::types::Batch;
 use super::{Descriptor, argument, code};
 
+#[cfg(not(feature = "threads"))]
+use super::places::Places;
 #[cfg(feature = "threads")]
 pub(super) use journal::Turn;
 #[cfg(feature = "threads")]
@@ -68,11 +70,7 @@ impl Turn {
         true
     }
     #[inline(always)]
-    pub(super) fn node(&self, _: usize, _: usize) -> usize {
-        0
-    }
-    #[inline(always)]
     pub(super) fn note_force(&self, _: usize, _: usize, _: f64) {}
     #[inline(always)]
-    pub(super) fn note_row(&self, _: usize, _: *const i64, _: (&[f64], f64)) {}
+    pub(super) fn note_row(&self, _: usize, _: Places, _: (&[f64], f64)) {}
 }

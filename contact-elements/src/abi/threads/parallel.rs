@@ -229,8 +229,7 @@ impl<'a> Round<'a> {
         let mut batch: Batch = *self.checked.batch;
         let mut own: Checked<'_> = self.checked.part((part.first, part.count), &mut batch);
         if let Some(owners) = &self.owners {
-            let positions = own.nodes - own.element.multipliers();
-            own.turn = Turn::new(&raw mut part.journal, owners.first(), part.mark, positions);
+            own.turn = Turn::new(&raw mut part.journal, owners.first(), part.mark);
         }
         part.failures = batch::evaluate(own, &mut part.workspace, self.width);
     }
@@ -254,7 +253,7 @@ impl Checked<'_> {
     where
         Self: 'b,
     {
-        let (matrix, history) = (self.unknowns() * self.unknowns(), self.element.history());
+        let (map, history) = (self.map_size(), self.element.history());
         let output = self.element.points * OUTPUT_SIZE;
         batch.x = moved(batch.x, first, self.x.element);
         batch.u = moved(batch.u, first, self.u.element);
@@ -262,7 +261,7 @@ impl Checked<'_> {
         batch.parameters = moved(batch.parameters, first, self.parameter_stride);
         batch.hist_old = moved(batch.hist_old, first, history);
         batch.slave_row = moved(batch.slave_row, first, self.nslave + 1);
-        batch.csr_map = moved(batch.csr_map, first, matrix);
+        batch.csr_map = moved(batch.csr_map, first, map);
         batch.hist_new = moved(batch.hist_new, first, history).cast_mut();
         batch.f = moved(batch.f, first, self.f_stride).cast_mut();
         batch.k = moved(batch.k, first, self.k_stride).cast_mut();

@@ -214,24 +214,26 @@ fn evaluations(prefix: &Ident) -> TokenStream {
                 element, n, batch, threads
             )),
         ),
-        f(
-            "csr_map",
-            quote!(element: *const abi::Descriptor, n: i64, nslave: i32, connectivity: *const i32,
-                rows: i64, row_start: *const i64, column: *const i32, map: *mut i64),
-            quote!(i32),
-            quote!(abi::csr_map(
-                element,
-                n,
-                nslave,
-                connectivity,
-                rows,
-                row_start,
-                column,
-                map
-            )),
-        ),
+        scatter_map(prefix, "csr_map"),
+        scatter_map(prefix, "csr_blocks"),
     ];
     list.into_iter().collect()
+}
+
+/// One of the two scatter maps into a sparse matrix.
+fn scatter_map(prefix: &Ident, name: &str) -> TokenStream {
+    let function = format_ident!("{}", name);
+    exported(
+        prefix,
+        name,
+        quote!(element: *const abi::Descriptor, n: i64, nslave: i32, connectivity: *const i32,
+            rows: i64, row_start: *const i64, column: *const i32, map: *mut i64),
+        quote!(i32),
+        quote!(abi::#function(
+            abi::Sparse { element, n, nslave, connectivity, rows, row_start, column },
+            map
+        )),
+    )
 }
 
 /// Texts for codes, and the table of all functions.
@@ -302,6 +304,7 @@ fn table(prefix: &Ident) -> TokenStream {
         "patch_info",
         "patch_evaluate",
         "element_evaluate_batch_threads",
+        "csr_blocks",
     ];
     let names = fields.iter().map(|name| format_ident!("{name}"));
     let values = fields.iter().map(|name| entry(name));

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use contact_elements::abi::{Descriptor, csr_map, element_history_init};
+use contact_elements::abi::{Descriptor, Sparse, csr_map, element_history_init};
 
 struct Random(u64);
 
@@ -149,13 +149,15 @@ impl Mesh {
         // SAFETY: all arrays have the extents of the header.
         let code = unsafe {
             csr_map(
-                self.element,
-                self.count as i64,
-                self.slaves as i32,
-                self.connectivity.as_ptr(),
-                self.rows as i64,
-                starts.as_ptr(),
-                self.columns.as_ptr(),
+                Sparse {
+                    element: self.element,
+                    n: self.count as i64,
+                    nslave: self.slaves as i32,
+                    connectivity: self.connectivity.as_ptr(),
+                    rows: self.rows as i64,
+                    row_start: starts.as_ptr(),
+                    column: self.columns.as_ptr(),
+                },
                 self.map.as_mut_ptr(),
             )
         };

@@ -530,22 +530,26 @@ int32_t cte_element_evaluate_batch(const cte_element *element, int64_t n, cte_ba
  * CTE_ERROR_INDEX, CTE_ARGUMENT_THREADS. A library built without threads, the usual one, evaluates on the calling
  * thread. One built with them keeps its threads from the first call on, in the default floating-point environment;
  * takes memory for the time of the call (a word per node of global_nodes with sums; each thread a workspace and what it
- * has to add to entries of others, at most some 32 MB for each contact point); needs a csr_map of cte_csr_map or cte_csr_blocks: a place
- * that two rows share would be added to by two threads at once. Memory that runs out half-way: CTE_ERROR_WORKSPACE,
- * CTE_ARGUMENT_WORKSPACE; all outputs are undefined then. */
+ * has to add to entries of others, at most some 32 MB for each contact point); needs a csr_map of cte_csr_map or
+ * cte_csr_blocks, of a pattern whose rows stand one behind the other: a place that two rows share would be added to by
+ * two threads at once. Memory that runs out half-way: CTE_ERROR_WORKSPACE, CTE_ARGUMENT_WORKSPACE; all outputs are
+ * undefined then. */
 int32_t cte_element_evaluate_batch_threads(const cte_element *element, int64_t n, cte_batch *batch, int32_t threads);
 
 /* Makes the scatter map of n elements once: position in the CSR values of every entry of every element
  * matrix. row_start [rows+1], column [row_start[rows]] sorted within each row, rows = global_nodes *
- * dimension. CTE_ERROR_INDEX when an entry is missing from the pattern or n < 0, CTE_ERROR_NODE_COUNT for
- * nslave: as in cte_batch. map: [n][unknowns][unknowns], written only when everything was found. */
+ * dimension; numbers from 0. CTE_ERROR_INDEX when an entry is missing from the pattern, n or rows < 0 or beyond any
+ * memory, CTE_ERROR_NODE_COUNT for nslave: as in cte_batch; CTE_ERROR_NULL, with n = 0 for the element alone.
+ * map: [n][unknowns][unknowns], written only when everything was found. */
 int32_t cte_csr_map(const cte_element *element, int64_t n, int32_t nslave, const int32_t *connectivity,
                     int64_t rows, const int64_t *row_start, const int32_t *column, int64_t *map);
 
-/* The same with a place for every pair of nodes (PointQuad4: 30 numbers instead of 225): position of the entry of the
- * first unknowns of nodes a and b, and behind those of each a how far its rows are apart. Needs what meshes with all
- * unknowns of a node side by side have: the columns of a node one after another, the rows of a node with the same
- * columns. Where it is not so: CTE_ERROR_INDEX, and cte_csr_map serves. map: [n][nnode][nnode + 1]. */
+/* The same for CTE_CSR_BLOCKS, with a place for every pair of nodes (PointQuad4: 30 numbers instead of 225): position
+ * of the entry in the row of the first unknown of node a and the column of that of node b, for every b; behind these
+ * how far the rows of node a are apart (0: the row of a multiplier is alone). Needs what meshes with all unknowns of a
+ * node side by side have: rows of a node with the same columns, in them the columns of a node one after another.
+ * Where it is not so: CTE_ERROR_INDEX, and cte_csr_map serves. map: [n][nnode][nnode + 1], written only when
+ * everything was found. */
 int32_t cte_csr_blocks(const cte_element *element, int64_t n, int32_t nslave, const int32_t *connectivity,
                        int64_t rows, const int64_t *row_start, const int32_t *column, int64_t *map);
 
@@ -590,7 +594,8 @@ typedef struct cte_api_table {
   int32_t (*patch_info)(const cte_patch *, cte_info *, int32_t *);
   int32_t (*patch_evaluate)(const cte_patch *, cte_arguments *);
   int32_t (*element_evaluate_batch_threads)(const cte_element *, int64_t, cte_batch *, int32_t);
-  int32_t (*csr_blocks)(const cte_element *, int64_t, int32_t, const int32_t *, int64_t, const int64_t *, const int32_t *, int64_t *);
+  int32_t (*csr_blocks)(const cte_element *, int64_t, int32_t, const int32_t *, int64_t, const int64_t *,
+                        const int32_t *, int64_t *);
 } cte_api_table;
 
 /* Fills *table. major: CTE_VERSION_MAJOR of this header. CTE_ERROR_VERSION when the library's differs. */

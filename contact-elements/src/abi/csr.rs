@@ -29,6 +29,16 @@ enum Kind {
     Blocks,
 }
 
+impl Kind {
+    /// Places of an element.
+    fn size(self, nodes: usize, unknowns: usize) -> usize {
+        match self {
+            Kind::Entries => unknowns * unknowns,
+            Kind::Blocks => nodes * (nodes + 1),
+        }
+    }
+}
+
 /// `cte_csr_map`.
 ///
 /// # Safety
@@ -53,15 +63,11 @@ pub unsafe fn csr_blocks(sparse: Sparse, map: *mut i64) -> i32 {
 /// As [`csr_map`].
 unsafe fn make(sparse: &Sparse, map: *mut i64, kind: Kind) -> i32 {
     // SAFETY: promised by the caller.
-    let (pattern, n) = match unsafe { pattern(sparse, map) } {
+    let (pattern, n) = match unsafe { pattern(sparse, map, kind) } {
         Ok(Some(checked)) => checked,
         Ok(None) => return code::SUCCESS,
         Err(code) => return code,
     };
-    let entries = n.checked_mul(pattern.size(kind));
-    if entries.is_none_or(|entries| entries > MOST_ENTRIES) {
-        return code::INDEX;
-    }
     // everything is looked up before anything is written
     if (0..n).any(|e| pattern.places(kind, e, &mut |_| {}).is_none()) {
         return code::INDEX;
@@ -82,7 +88,11 @@ unsafe fn make(sparse: &Sparse, map: *mut i64, kind: Kind) -> i32 {
 ///
 /// # Safety
 /// As [`csr_map`].
-unsafe fn pattern<'a>(sparse: &Sparse, map: *mut i64) -> Result<Option<(Pattern<'a>, usize)>, i32> {
+unsafe fn pattern<'a>(
+    sparse: &Sparse,
+    map: *mut i64,
+    kind: Kind,
+) -> Result<Option<(Pattern<'a>, usize)>, i32> {
     // SAFETY: promised by the caller.
     let element = unsafe { sparse.element.as_ref() }.ok_or(code::NULL)?;
     let (Ok(n), Ok(rows)) = (usize::try_from(sparse.n), usize::try_from(sparse.rows)) else {
@@ -90,6 +100,7 @@ unsafe fn pattern<'a>(sparse: &Sparse, map: *mut i64) -> Result<Option<(Pattern<
     };
     let nslave = slave_count(element, sparse.nslave).map_err(|(code, ..)| code)?;
     let nodes = element.nodes(nslave);
+    let unknowns = element.unknowns(nodes);
     if n == 0 {
         return Ok(None);
     }
@@ -97,9 +108,11 @@ unsafe fn pattern<'a>(sparse: &Sparse, map: *mut i64) -> Result<Option<(Pattern<
     if connectivity.is_null() || starts.is_null() || columns.is_null() || map.is_null() {
         return Err(code::NULL);
     }
-    let listed = n.checked_mul(nodes);
-    let listed = listed.filter(|&listed| listed <= MOST_ENTRIES && rows < MOST_ENTRIES);
-    let listed = listed.ok_or(code::INDEX)?;
+    // an element has no more nodes than places
+    let places = n.checked_mul(kind.size(nodes, unknowns));
+    if places.is_none_or(|places| places > MOST_ENTRIES) || rows >= MOST_ENTRIES {
+        return Err(code::INDEX);
+    }
     // SAFETY: promised by the caller; the lengths fit the memory.
     unsafe {
         let starts = core::slice::from_raw_parts(starts, rows + 1);
@@ -108,8 +121,8 @@ unsafe fn pattern<'a>(sparse: &Sparse, map: *mut i64) -> Result<Option<(Pattern<
         let pattern = Pattern {
             element,
             nodes,
-            unknowns: element.unknowns(nodes),
-            connectivity: core::slice::from_raw_parts(connectivity, listed),
+            unknowns,
+            connectivity: core::slice::from_raw_parts(connectivity, n * nodes),
             starts,
             columns: core::slice::from_raw_parts(columns, length.ok_or(code::INDEX)?),
         };
@@ -128,14 +141,6 @@ struct Pattern<'a> {
 }
 
 impl Pattern<'_> {
-    /// Places of an element.
-    fn size(&self, kind: Kind) -> usize {
-        match kind {
-            Kind::Entries => self.unknowns * self.unknowns,
-            Kind::Blocks => self.nodes * (self.nodes + 1),
-        }
-    }
-
     /// The places of element `e`; none where one is missing.
     fn places(&self, kind: Kind, e: usize, take: &mut dyn FnMut(usize)) -> Option<()> {
         match kind {
@@ -193,10 +198,13 @@ impl Pattern<'_> {
                 let (unknown, width) = self.unknowns_of(b);
                 let wanted = i32::try_from(self.row(e, unknown)?).ok()?;
                 let found = columns.binary_search(&wanted).ok()?;
+                // the last column of a block may be beyond an i32, where none is
+                let wanted = i64::from(wanted);
                 for component in 0..components {
                     let (own, columns) = self.columns(row + component)?;
                     let block = columns.get(found..found + width)?;
-                    let is_there = block.iter().zip(wanted..).all(|(&column, at)| column == at);
+                    let mut pairs = block.iter().zip(wanted..);
+                    let is_there = pairs.all(|(&column, at)| i64::from(column) == at);
                     (is_there && own == start + component * apart).then_some(())?;
                 }
                 take(start + found);

@@ -33,6 +33,9 @@ struct Row {
     length: usize,
 }
 
+/// Numbers that a row takes beside its contributions.
+pub(super) const ROW: usize = size_of::<Row>().div_ceil(size_of::<f64>());
+
 /// Where a journal is added.
 #[derive(Clone, Copy)]
 pub(super) struct Sums {

@@ -16,7 +16,7 @@ use std::vec::Vec;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use super::journal::{Journal, Sums, Turn};
+use super::journal::{Journal, ROW, Sums, Turn};
 use super::owners::Owners;
 use crate::abi::batch::{self, Failures};
 use crate::abi::batch_check::{Checked, Layout};
@@ -119,7 +119,7 @@ impl<'a> Round<'a> {
             owners = Some(Owners::new(nodes)?);
             let unknowns = checked.unknowns();
             let numbers = if adds_k {
-                unknowns * unknowns
+                unknowns * (unknowns + ROW)
             } else {
                 unknowns
             };

@@ -52,7 +52,7 @@ module contact_elements
   ! Request bits
   integer(i4), parameter :: CTE_RESIDUAL = 1, CTE_TANGENT = 2, CTE_HISTORY = 4, CTE_OUTPUT = 8
   integer(i4), parameter :: CTE_ENERGY = 16, CTE_FREEZE_STATE = 32, CTE_SYMMETRISE = 64
-  integer(i4), parameter :: CTE_PROJECTION_GIVEN = 128, CTE_SCREEN = 256, CTE_CSR_BLOCKS = 512
+  integer(i4), parameter :: CTE_PROJECTION_GIVEN = 128, CTE_SCREEN = 256, CTE_CSR_BY_BLOCKS = 512
 
   ! Status of a contact point
   integer(i4), parameter :: CTE_STATUS_OPEN = 0, CTE_STATUS_CLOSED = 1, CTE_STATUS_STICK = 2

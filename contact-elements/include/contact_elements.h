@@ -133,7 +133,7 @@ extern "C" {
                          * projection; its history is not looked at unless asked for. How many are left out depends
                          * on the processor. No effect on one call, with CTE_FREEZE_STATE or CTE_PROJECTION_GIVEN.
                          * Points against segments in 2D, flat triangles and bilinear facets, penalty */
-#define CTE_CSR_BLOCKS 512u /* batches: csr_map is of cte_csr_blocks. No effect on one call */
+#define CTE_CSR_BY_BLOCKS 512u /* batches: csr_map is of cte_csr_blocks. No effect on one call */
 
 /* ------------------------------------------------------------------ status of a contact point
  * The element's status is the one of its worst point, in the order
@@ -327,7 +327,7 @@ typedef struct cte_arguments {
  * node a of contact e is node connectivity[e*nnode + a] of x and u; the element stride is not used.
  * Outputs: f and k per contact (dense, f_element_stride, k_element_stride; 0: dense), and/or scattered:
  * global_f[unknown] += and csr_values[csr_map[e*unknowns^2 + i*unknowns + j]] += , see cte_csr_map; with
- * CTE_CSR_BLOCKS the smaller map of cte_csr_blocks. Both need connectivity.
+ * CTE_CSR_BY_BLOCKS the smaller map of cte_csr_blocks. Both need connectivity.
  * The contacts are evaluated one after the other in order, so sums are reproducible, with the same bits as
  * by cte_element_evaluate.
  * A fault of one contact (values, parameters, state) fails that contact alone: its code says why
@@ -356,7 +356,7 @@ typedef struct cte_batch {
   int64_t k_element_stride;    /* at least unknowns^2; 0: unknowns^2 */
   double *global_f;            /* [global_nodes*dimension]: node*dimension + component; added to */
   double *csr_values;          /* the caller's CSR values; added to */
-  const int64_t *csr_map;      /* [n][unknowns][unknowns], made once by cte_csr_map; with CTE_CSR_BLOCKS
+  const int64_t *csr_map;      /* [n][unknowns][unknowns], made once by cte_csr_map; with CTE_CSR_BY_BLOCKS
                                 * [n][nnode][nnode + 1], made once by cte_csr_blocks */
   double f_scale, k_scale;     /* 0: 1 */
   double *output;              /* [n][points][CTE_OUTPUT_SIZE] */
@@ -544,7 +544,7 @@ int32_t cte_element_evaluate_batch_threads(const cte_element *element, int64_t n
 int32_t cte_csr_map(const cte_element *element, int64_t n, int32_t nslave, const int32_t *connectivity,
                     int64_t rows, const int64_t *row_start, const int32_t *column, int64_t *map);
 
-/* The same for CTE_CSR_BLOCKS, with a place for every pair of nodes (PointQuad4: 30 numbers instead of 225): position
+/* The same for CTE_CSR_BY_BLOCKS, with a place for every pair of nodes (PointQuad4: 30 numbers instead of 225): position
  * of the entry in the row of the first unknown of node a and the column of that of node b, for every b; behind these
  * how far the rows of node a are apart (0: the row of a multiplier is alone). Needs what meshes with all unknowns of a
  * node side by side have: rows of a node with the same columns, in them the columns of a node one after another.

@@ -149,7 +149,7 @@ static void counts(void)
     expect(client_text("batch: connectivity", (long)wrong_node[i]), CTE_ERROR_INDEX, CTE_ARGUMENT_CONNECTIVITY);
   }
   fresh();
-  batch.request |= 512u;
+  batch.request |= 1024u;
   expect("batch: unknown request bit", CTE_ERROR_REQUEST, CTE_ARGUMENT_REQUEST);
   fresh();
   batch.nslave = 2;

@@ -180,7 +180,7 @@ contains
         CTE_ARGUMENT_CONNECTIVITY)
     end do
     call fresh()
-    batch%request = ior(batch%request, 512)
+    batch%request = ior(batch%request, 1024)
     call expect('batch: unknown request bit', CTE_ERROR_REQUEST, CTE_ARGUMENT_REQUEST)
     call fresh()
     batch%nslave = 2

@@ -171,7 +171,7 @@ static void fortran_77(void)
     cte_f77_history_init_(&wrong[i], history, &code);
     client_check(code == CTE_ERROR_INDEX, client_text("F77 history_init, element", wrong[i]));
   }
-  client_check(evaluate_77(index, 512, 5, 15) == CTE_ERROR_REQUEST && bench_untouched(&b), "F77 request 512");
+  client_check(evaluate_77(index, 1024, 5, 15) == CTE_ERROR_REQUEST && bench_untouched(&b), "F77 request 1024");
   client_check(evaluate_77(index, request, 4, 15) == CTE_ERROR_NODE_COUNT && bench_untouched(&b), "F77 nnode 4");
   client_check(evaluate_77(index, request, 5, 14) == CTE_ERROR_STRIDE && bench_untouched(&b), "F77 ldk 14");
   client_check(evaluate_77(index, request, 5, -15) == CTE_ERROR_STRIDE && bench_untouched(&b), "F77 ldk -15");

@@ -306,7 +306,7 @@ contains
       call cte_f77_history_init(wrong(i), history, code)
       call client_check(code == CTE_ERROR_INDEX, client_text('F77 history_init, element', int(wrong(i), i8)))
     end do
-    call client_check(evaluate_77(found, 512, 5, 15) == CTE_ERROR_REQUEST, 'F77 request 512')
+    call client_check(evaluate_77(found, 1024, 5, 15) == CTE_ERROR_REQUEST, 'F77 request 1024')
     call client_check(evaluate_77(found, request, 4, 15) == CTE_ERROR_NODE_COUNT, 'F77 nnode 4')
     call client_check(evaluate_77(found, request, 5, 14) == CTE_ERROR_STRIDE, 'F77 ldk 14')
     call client_check(evaluate_77(found, request, 5, -15) == CTE_ERROR_STRIDE, 'F77 ldk -15')

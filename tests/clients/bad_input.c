@@ -134,7 +134,7 @@ static void counts(void)
 {
   const int32_t nnode[3] = {4, 6, -1};
   const int32_t nslave[2] = {0, -1};
-  const uint32_t unknown[2] = {512u, 0x80000000u};
+  const uint32_t unknown[2] = {1024u, 0x80000000u};
   for (int i = 0; i < 3; i++) {
     bench_open(&b, "PointQuad4");
     b.a.nnode = nnode[i];

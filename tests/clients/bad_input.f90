@@ -168,7 +168,7 @@ contains
 
   subroutine counts()
     integer(i4), parameter :: nnode(3) = [4, 6, -1], nslave(2) = [0, -1]
-    integer(i4), parameter :: unknown(2) = [512_i4, -huge(0_i4) - 1_i4]
+    integer(i4), parameter :: unknown(2) = [1024_i4, -huge(0_i4) - 1_i4]
     integer(i4) :: code
     integer :: i
     do i = 1, 3

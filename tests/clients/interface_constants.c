@@ -100,7 +100,7 @@ static void others(void)
                                       CONSTANT(CTE_HISTORY, 4),       CONSTANT(CTE_OUTPUT, 8),
                                       CONSTANT(CTE_ENERGY, 16),       CONSTANT(CTE_FREEZE_STATE, 32),
                                       CONSTANT(CTE_SYMMETRISE, 64),   CONSTANT(CTE_PROJECTION_GIVEN, 128),
-                                      CONSTANT(CTE_SCREEN, 256)};
+                                      CONSTANT(CTE_SCREEN, 256),      CONSTANT(CTE_CSR_BY_BLOCKS, 512)};
   static const constant kinds[] = {CONSTANT(CTE_UNKNOWN_UX, 1), CONSTANT(CTE_UNKNOWN_UY, 2),
                                    CONSTANT(CTE_UNKNOWN_UZ, 3), CONSTANT(CTE_UNKNOWN_TX, 4),
                                    CONSTANT(CTE_UNKNOWN_TY, 5), CONSTANT(CTE_UNKNOWN_TZ, 6),

@@ -32,8 +32,8 @@ module interface_constants
   integer(i4), parameter :: status(9) = [CTE_STATUS_OPEN, CTE_STATUS_CLOSED, CTE_STATUS_STICK, &
     CTE_STATUS_SLIP, CTE_STATUS_OUTSIDE, CTE_STATUS_NOT_CONVERGED, CTE_STATUS_NOT_UNIQUE, CTE_STATUS_DEGENERATE, &
     CTE_STATUS_LAW]
-  integer(i4), parameter :: request(9) = [CTE_RESIDUAL, CTE_TANGENT, CTE_HISTORY, CTE_OUTPUT, CTE_ENERGY, &
-    CTE_FREEZE_STATE, CTE_SYMMETRISE, CTE_PROJECTION_GIVEN, CTE_SCREEN]
+  integer(i4), parameter :: request(10) = [CTE_RESIDUAL, CTE_TANGENT, CTE_HISTORY, CTE_OUTPUT, CTE_ENERGY, &
+    CTE_FREEZE_STATE, CTE_SYMMETRISE, CTE_PROJECTION_GIVEN, CTE_SCREEN, CTE_CSR_BY_BLOCKS]
   integer(i4), parameter :: unknown_kind(7) = [CTE_UNKNOWN_UX, CTE_UNKNOWN_UY, CTE_UNKNOWN_UZ, CTE_UNKNOWN_TX, &
     CTE_UNKNOWN_TY, CTE_UNKNOWN_TZ, CTE_UNKNOWN_MULTIPLIER]
   integer(i4), parameter :: output(13) = [CTE_OUTPUT_STATUS, CTE_OUTPUT_GAP, CTE_OUTPUT_NORMAL_TRACTION, &
@@ -87,7 +87,7 @@ contains
       'an argument''s name is the name of the field')
     call compare('statuses', status, [(i, i=0, 8)])
     call texts('texts of the statuses', status, cte_status_message)
-    call compare('request bits', request, [(2**i, i=0, 8)])
+    call compare('request bits', request, [(2**i, i=0, 9)])
     call compare('kinds of unknowns', unknown_kind, [(i, i=1, 7)])
     call compare('entries of the output', output, [0, 1, 2, 3, 4, 6, 9, 10, 11, 13, 19, 21, 23])
     call compare('entries of the history', histories, [0, 1])

@@ -64,8 +64,9 @@ static void table(int32_t index)
                "table: texts");
   client_check(api.element_evaluate_batch(NULL, 0, NULL) == CTE_ERROR_NULL &&
                    api.element_evaluate_batch_threads(NULL, 0, NULL, 0) == CTE_ERROR_NULL &&
-                   api.csr_map(NULL, 0, 0, NULL, 0, NULL, NULL, NULL) == CTE_ERROR_NULL,
-               "table: batch and csr_map");
+                   api.csr_map(NULL, 0, 0, NULL, 0, NULL, NULL, NULL) == CTE_ERROR_NULL &&
+                   api.csr_blocks(NULL, 0, 0, NULL, 0, NULL, NULL, NULL) == CTE_ERROR_NULL,
+               "table: batch, csr_map and csr_blocks");
 }
 
 /* K comes column-major with a leading dimension. */

@@ -10,7 +10,7 @@ module interface_entries
   integer, parameter :: n = 15, ldk = 20
   type(bench), save, target :: b, reference
 
-  ! Two entries called with null addresses.
+  ! Entries called with null addresses.
   abstract interface
     function batch_call(element, count, batch) bind(c) result(code)
       import :: i4, i8, c_ptr
@@ -134,7 +134,7 @@ contains
     type(cte_api_table) :: api
     procedure(batch_call), pointer :: element_evaluate_batch
     procedure(threads_call), pointer :: element_evaluate_batch_threads
-    procedure(map_call), pointer :: csr_map
+    procedure(map_call), pointer :: csr_map, csr_blocks
     logical :: pass
     api%struct_size = int(c_sizeof(api), i4)
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS
@@ -148,11 +148,14 @@ contains
     call c_f_procpointer(api%element_evaluate_batch, element_evaluate_batch)
     call c_f_procpointer(api%element_evaluate_batch_threads, element_evaluate_batch_threads)
     call c_f_procpointer(api%csr_map, csr_map)
+    call c_f_procpointer(api%csr_blocks, csr_blocks)
     pass = element_evaluate_batch(c_null_ptr, 0_i8, c_null_ptr) == CTE_ERROR_NULL
     pass = element_evaluate_batch_threads(c_null_ptr, 0_i8, c_null_ptr, 0) == CTE_ERROR_NULL .and. pass
     pass = csr_map(c_null_ptr, 0_i8, 0, c_null_ptr, 0_i8, c_null_ptr, c_null_ptr, c_null_ptr) == CTE_ERROR_NULL &
       .and. pass
-    call client_check(pass, 'table: batch and csr_map')
+    pass = csr_blocks(c_null_ptr, 0_i8, 0, c_null_ptr, 0_i8, c_null_ptr, c_null_ptr, c_null_ptr) == CTE_ERROR_NULL &
+      .and. pass
+    call client_check(pass, 'table: batch, csr_map and csr_blocks')
   end subroutine table
 
   ! K comes column-major with a leading dimension.

@@ -114,8 +114,9 @@ static void layout_api_table(void)
       FIELD(cte_api_table, argument_name, 120), FIELD(cte_api_table, element_message, 128),
       FIELD(cte_api_table, history_transfer, 136), FIELD(cte_api_table, history_augment, 144),
       FIELD(cte_api_table, element_project, 152), FIELD(cte_api_table, patch_info, 160),
-      FIELD(cte_api_table, patch_evaluate, 168), FIELD(cte_api_table, element_evaluate_batch_threads, 176)};
-  layout("layout of cte_api_table, bytes:", sizeof(cte_api_table), 184, fields, sizeof fields / sizeof fields[0]);
+      FIELD(cte_api_table, patch_evaluate, 168), FIELD(cte_api_table, element_evaluate_batch_threads, 176),
+      FIELD(cte_api_table, csr_blocks, 184)};
+  layout("layout of cte_api_table, bytes:", sizeof(cte_api_table), 192, fields, sizeof fields / sizeof fields[0]);
 }
 
 void interface_layout(void)

@@ -208,7 +208,8 @@ contains
     call field('patch_info', c_loc(v%patch_info), 160)
     call field('patch_evaluate', c_loc(v%patch_evaluate), 168)
     call field('element_evaluate_batch_threads', c_loc(v%element_evaluate_batch_threads), 176)
-    call finish('cte_api_table', int(c_sizeof(v), i8), 184)
+    call field('csr_blocks', c_loc(v%csr_blocks), 184)
+    call finish('cte_api_table', int(c_sizeof(v), i8), 192)
   end subroutine layout_api_table
 
   subroutine interface_layout_run()

@@ -133,8 +133,8 @@ static int row_of(int e, int unknown)
   return unknown < N - 1 ? 3 * connectivity[e][unknown / 3] + unknown % 3 : 3 * connectivity[e][PER - 1];
 }
 
-/* Pattern of all contacts: [rows][...] sorted. Returns the number of entries. */
-static int64_t pattern(int64_t row_start[ROWS + 1], int32_t column[ROWS * ROWS])
+/* Pattern of all contacts: [rows][...] sorted. */
+static void pattern(int64_t row_start[ROWS + 1], int32_t column[ROWS * ROWS])
 {
   static char together[ROWS][ROWS];
   int64_t entries = 0;
@@ -149,7 +149,6 @@ static int64_t pattern(int64_t row_start[ROWS + 1], int32_t column[ROWS * ROWS])
         column[entries++] = col;
   }
   row_start[ROWS] = entries;
-  return entries;
 }
 
 /* The same sums by hand, element after element. */
@@ -163,42 +162,85 @@ static void assemble(double global_f[ROWS], double global_k[ROWS][ROWS])
     }
 }
 
-static void scattered(void)
+/* The first entry of each block and the distance of its rows give every place of the map; a multiplier has one row. */
+static int same_places(int64_t map[CONTACTS][N][N], int64_t blocks[CONTACTS][PER][PER + 1])
 {
-  static double global_f[2][ROWS], global_k[ROWS][ROWS], values[ROWS * ROWS];
-  static int64_t row_start[ROWS + 1], map[CONTACTS * N * N];
-  static int32_t column[ROWS * ROWS];
-  const int64_t entries = pattern(row_start, column);
-  int pass = row_start[3 * MULTIPLIERS + 2] == row_start[3 * MULTIPLIERS + 1] &&
-             cte_csr_map(b.element, CONTACTS, 0, &connectivity[0][0], ROWS, row_start, column, map) == CTE_SUCCESS;
-  client_check(pass, "multiplier batch: csr_map with one row per multiplier");
-  if (!pass)
-    return;
+  int pass = 1;
+  for (int e = 0; e < CONTACTS; e++) {
+    for (int i = 0; i < N; i++)
+      for (int j = 0; j < N; j++) {
+        const int64_t *node = blocks[e][i / 3];
+        pass &= map[e][i][j] == node[j / 3] + i % 3 * node[PER] + j % 3;
+      }
+    pass &= blocks[e][PER - 1][PER] == 0;
+  }
+  return pass;
+}
+
+/* The batch into values of the host, which are to be those of global_k and the first row of global_f. */
+static int scatters(const int64_t row_start[ROWS + 1], const int32_t column[ROWS * ROWS], double global_f[2][ROWS],
+                    double global_k[ROWS][ROWS])
+{
+  static double values[ROWS * ROWS];
   for (int i = 0; i < ROWS; i++)
-    global_f[0][i] = global_f[1][i] = 1.0; /* what the host has already */
-  for (int64_t i = 0; i < entries; i++)
+    global_f[1][i] = 1.0;
+  for (int64_t i = 0; i < row_start[ROWS]; i++)
     values[i] = 2.0;
-  for (int row = 0; row < ROWS; row++)
-    for (int64_t i = row_start[row]; i < row_start[row + 1]; i++)
-      global_k[row][column[i]] = 2.0;
-  assemble(global_f[0], global_k);
-  fresh();
   batch.f = batch.k = NULL;
   batch.global_f = global_f[1];
   batch.csr_values = values;
-  batch.csr_map = map;
-  pass = evaluated() && client_same(global_f[0], global_f[1], ROWS);
+  int pass = evaluated() && client_same(global_f[0], global_f[1], ROWS);
   for (int row = 0; row < ROWS; row++)
     for (int64_t i = row_start[row]; i < row_start[row + 1]; i++)
       pass &= client_same(&values[i], &global_k[row][column[i]], 1);
   for (int e = 0; e < CONTACTS; e++)
     for (int c = 1; c < 3; c++)
       pass &= global_f[1][3 * (MULTIPLIERS + e) + c] == 1.0;
-  client_check(pass, "multiplier batch: scattered into vector and CSR matrix");
+  return pass;
+}
+
+static void other_outputs(void)
+{
   client_check(memcmp(many.hist_new, single.hist_new, sizeof many.hist_new) == 0 &&
                    memcmp(many.output, single.output, sizeof many.output) == 0 &&
                    memcmp(many.energy, single.energy, sizeof many.energy) == 0,
                "multiplier batch: scattered, the other outputs");
+}
+
+/* Into values of the host, by either map. */
+static void scattered(void)
+{
+  static double global_f[2][ROWS], global_k[ROWS][ROWS];
+  static int64_t row_start[ROWS + 1], map[CONTACTS][N][N], blocks[CONTACTS][PER][PER + 1];
+  static int32_t column[ROWS * ROWS];
+  pattern(row_start, column);
+  int pass = row_start[3 * MULTIPLIERS + 2] == row_start[3 * MULTIPLIERS + 1] &&
+             cte_csr_map(b.element, CONTACTS, 0, &connectivity[0][0], ROWS, row_start, column, &map[0][0][0]) ==
+                 CTE_SUCCESS;
+  client_check(pass, "multiplier batch: csr_map with one row per multiplier");
+  pass = pass &&
+         cte_csr_blocks(b.element, CONTACTS, 0, &connectivity[0][0], ROWS, row_start, column, &blocks[0][0][0]) ==
+             CTE_SUCCESS &&
+         same_places(map, blocks);
+  client_check(pass, "multiplier batch: csr_blocks, the places of csr_map");
+  if (!pass)
+    return;
+  for (int row = 0; row < ROWS; row++) {
+    global_f[0][row] = 1.0; /* what the host has already */
+    for (int64_t i = row_start[row]; i < row_start[row + 1]; i++)
+      global_k[row][column[i]] = 2.0;
+  }
+  assemble(global_f[0], global_k);
+  fresh();
+  batch.csr_map = &map[0][0][0];
+  client_check(scatters(row_start, column, global_f, global_k),
+               "multiplier batch: scattered into vector and CSR matrix");
+  other_outputs();
+  fresh();
+  batch.csr_map = &blocks[0][0][0];
+  batch.request |= CTE_CSR_BY_BLOCKS;
+  client_check(scatters(row_start, column, global_f, global_k), "multiplier batch: scattered by blocks of nodes");
+  other_outputs();
 }
 
 void interface_multiplier_batch(void)

@@ -192,30 +192,36 @@ contains
     end do
   end subroutine assemble
 
-  subroutine scattered()
-    real(dp), save, target :: global_f(0:rows - 1, 2), values(0:rows*rows - 1)
-    real(dp), save :: global_k(0:rows - 1, 0:rows - 1)
-    integer(i8), save :: row_start(0:rows)
-    integer(i8), save, target :: map(contacts*n*n)
-    integer(i4), save :: column(0:rows*rows - 1)
+  ! The first entry of each block and the distance of its rows give every place of the map; a multiplier has one row.
+  function same_places(map, blocks) result(pass)
+    integer(i8), intent(in) :: map(0:n - 1, 0:n - 1, contacts), blocks(0:per, 0:per - 1, contacts)
     logical :: pass
+    integer :: e, i, j
+    pass = all(blocks(per, per - 1, :) == 0)
+    do e = 1, contacts
+      do i = 0, n - 1
+        do j = 0, n - 1
+          pass = pass .and. map(j, i, e) == blocks(j/3, i/3, e) + mod(i, 3)*blocks(per, i/3, e) + mod(j, 3)
+        end do
+      end do
+    end do
+  end function same_places
+
+  ! The batch into values of the host, which are to be those of global_k and the first column of global_f.
+  function scatters(row_start, column, global_f, global_k) result(pass)
+    integer(i8), intent(in) :: row_start(0:rows)
+    integer(i4), intent(in) :: column(0:rows*rows - 1)
+    real(dp), intent(inout), target :: global_f(0:rows - 1, 2)
+    real(dp), intent(in) :: global_k(0:rows - 1, 0:rows - 1)
+    logical :: pass
+    real(dp), save, target :: values(0:rows*rows - 1)
     integer :: row
-    call pattern(row_start, column)
-    pass = cte_csr_map(b%element, int(contacts, i8), 0, connectivity, int(rows, i8), row_start, column, map) &
-      == CTE_SUCCESS
-    pass = pass .and. row_start(3*multipliers + 2) == row_start(3*multipliers + 1)
-    call client_check(pass, 'multiplier batch: csr_map with one row per multiplier')
-    if (.not. pass) return
-    global_f = 1 ! what the host has already
+    global_f(:, 2) = 1
     values = 2
-    global_k = 2
-    call assemble(global_f(:, 1), global_k)
-    call fresh()
     batch%f = c_null_ptr
     batch%k = c_null_ptr
     batch%global_f = c_loc(global_f(0, 2))
     batch%csr_values = c_loc(values)
-    batch%csr_map = c_loc(map)
     pass = evaluated()
     pass = pass .and. client_same(global_f(:, 1), global_f(:, 2))
     do row = 0, rows - 1
@@ -225,10 +231,46 @@ contains
     end do
     pass = pass .and. all(abs(global_f(3*multipliers + 1::3, 2) - 1) <= 0) &
       .and. all(abs(global_f(3*multipliers + 2::3, 2) - 1) <= 0)
-    call client_check(pass, 'multiplier batch: scattered into vector and CSR matrix')
+  end function scatters
+
+  subroutine other_outputs()
     call client_check(all(transfer(many%hist_new, [0_i8]) == transfer(single%hist_new, [0_i8])) &
       .and. all(transfer(many%output, [0_i8]) == transfer(single%output, [0_i8])) &
       .and. client_same(many%energy, single%energy), 'multiplier batch: scattered, the other outputs')
+  end subroutine other_outputs
+
+  ! Into values of the host, by either map.
+  subroutine scattered()
+    real(dp), save, target :: global_f(0:rows - 1, 2)
+    real(dp), save :: global_k(0:rows - 1, 0:rows - 1)
+    integer(i8), save :: row_start(0:rows)
+    integer(i8), save, target :: map(n*n*contacts), blocks((per + 1)*per*contacts)
+    integer(i4), save :: column(0:rows*rows - 1)
+    logical :: pass
+    call pattern(row_start, column)
+    pass = cte_csr_map(b%element, int(contacts, i8), 0, connectivity, int(rows, i8), row_start, column, map) &
+      == CTE_SUCCESS
+    pass = pass .and. row_start(3*multipliers + 2) == row_start(3*multipliers + 1)
+    call client_check(pass, 'multiplier batch: csr_map with one row per multiplier')
+    pass = cte_csr_blocks(b%element, int(contacts, i8), 0, connectivity, int(rows, i8), row_start, column, blocks) &
+      == CTE_SUCCESS .and. pass
+    if (pass) pass = same_places(map, blocks)
+    call client_check(pass, 'multiplier batch: csr_blocks, the places of csr_map')
+    if (.not. pass) return
+    global_f = 1 ! what the host has already
+    global_k = 2
+    call assemble(global_f(:, 1), global_k)
+    call fresh()
+    batch%csr_map = c_loc(map)
+    call client_check(scatters(row_start, column, global_f, global_k), &
+      'multiplier batch: scattered into vector and CSR matrix')
+    call other_outputs()
+    call fresh()
+    batch%csr_map = c_loc(blocks)
+    batch%request = batch%request + CTE_CSR_BY_BLOCKS
+    call client_check(scatters(row_start, column, global_f, global_k), &
+      'multiplier batch: scattered by blocks of nodes')
+    call other_outputs()
   end subroutine scattered
 
   subroutine interface_multiplier_batch_run()

@@ -10,7 +10,8 @@ enum { NSLAVE = 3, STATES = 6 };
 static bench b, alone;
 
 static const uint32_t all_requests = CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY | CTE_OUTPUT | CTE_ENERGY |
-                                     CTE_FREEZE_STATE | CTE_SYMMETRISE | CTE_PROJECTION_GIVEN | CTE_SCREEN;
+                                     CTE_FREEZE_STATE | CTE_SYMMETRISE | CTE_PROJECTION_GIVEN | CTE_SCREEN |
+                                     CTE_CSR_BY_BLOCKS;
 
 /* Anchor and slip path: with friction, whose tangent has no symmetry. */
 static int has_slip(const cte_info *info)
@@ -179,7 +180,7 @@ static int evaluation_sound(void)
 static int refusal_sound(void)
 {
   int pass = 1;
-  for (uint32_t bit = 1; bit <= CTE_SCREEN; bit *= 2)
+  for (uint32_t bit = 1; bit <= CTE_CSR_BY_BLOCKS; bit *= 2)
     if (!(b.info.requests & bit)) {
       b.a.request |= bit;
       pass &= bench_evaluate(&b) == CTE_ERROR_REQUEST && b.a.error_argument == CTE_ARGUMENT_REQUEST;

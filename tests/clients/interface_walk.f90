@@ -9,7 +9,7 @@ module interface_walk
 
   integer, parameter :: nslave = 3, states = 6
   integer(i4), parameter :: all_requests = CTE_RESIDUAL + CTE_TANGENT + CTE_HISTORY + CTE_OUTPUT + CTE_ENERGY &
-    + CTE_FREEZE_STATE + CTE_SYMMETRISE + CTE_PROJECTION_GIVEN + CTE_SCREEN
+    + CTE_FREEZE_STATE + CTE_SYMMETRISE + CTE_PROJECTION_GIVEN + CTE_SCREEN + CTE_CSR_BY_BLOCKS
   type(bench), save, target :: b, alone
 
 contains
@@ -227,7 +227,7 @@ contains
     integer :: bit
     pass = .true.
     wanted = b%a%request
-    do bit = 0, 8
+    do bit = 0, 9
       if (btest(b%info%requests, bit)) cycle
       b%a%request = ibset(wanted, bit)
       pass = bench_evaluate(b) == CTE_ERROR_REQUEST .and. pass

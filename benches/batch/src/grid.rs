@@ -193,7 +193,7 @@ impl Grid {
         }
         let has_blocks = matches!(into, Into::Blocks);
         if has_blocks {
-            batch.request |= request::CSR_BLOCKS;
+            batch.request |= request::CSR_BY_BLOCKS;
         }
         if self.screens {
             batch.request |= request::SCREEN;

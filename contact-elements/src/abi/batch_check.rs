@@ -84,7 +84,7 @@ impl<'a> Checked<'a> {
 
     /// Places that the scatter map has for each contact.
     pub(super) fn map_size(&self) -> usize {
-        if self.batch.request & request::CSR_BLOCKS == 0 {
+        if self.batch.request & request::CSR_BY_BLOCKS == 0 {
             self.unknowns() * self.unknowns()
         } else {
             self.nodes * (self.nodes + 1)

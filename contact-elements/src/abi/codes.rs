@@ -78,7 +78,7 @@ pub mod request {
     pub const PROJECTION_GIVEN: u32 = 128;
     pub const SCREEN: u32 = 256;
     /// Batches: `csr_map` has a place for every pair of nodes, made by `csr_blocks`.
-    pub const CSR_BLOCKS: u32 = 512;
+    pub const CSR_BY_BLOCKS: u32 = 512;
 }
 
 /// Kinds of unknowns: displacement or tangent vector, plus the component 0, 1, 2; multiplier.

@@ -261,7 +261,7 @@ impl Descriptor {
             | request::FREEZE_STATE
             | request::PROJECTION_GIVEN;
         if self.tangent {
-            bits |= request::TANGENT | request::SYMMETRISE | request::CSR_BLOCKS;
+            bits |= request::TANGENT | request::SYMMETRISE | request::CSR_BY_BLOCKS;
         }
         if self.energy {
             bits |= request::ENERGY;

@@ -81,7 +81,7 @@ impl Outputs {
 /// The scatter map of the first contact.
 fn map(checked: &Checked<'_>) -> Map {
     let (element, batch) = (checked.element, checked.batch);
-    let has_blocks = batch.request & request::CSR_BLOCKS != 0;
+    let has_blocks = batch.request & request::CSR_BY_BLOCKS != 0;
     Map {
         places: batch.csr_map,
         step: if batch.csr_map.is_null() {

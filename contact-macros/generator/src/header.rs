@@ -56,7 +56,7 @@ const REQUESTS: [(&str, u32); 10] = [
     ("SYMMETRISE", 64),
     ("PROJECTION_GIVEN", 128),
     ("SCREEN", 256),
-    ("CSR_BLOCKS", 512),
+    ("CSR_BY_BLOCKS", 512),
 ];
 
 /// Fortran include file, fixed and free form alike: the request bits and the index of every element as a

@@ -544,11 +544,11 @@ int32_t cte_element_evaluate_batch_threads(const cte_element *element, int64_t n
 int32_t cte_csr_map(const cte_element *element, int64_t n, int32_t nslave, const int32_t *connectivity,
                     int64_t rows, const int64_t *row_start, const int32_t *column, int64_t *map);
 
-/* The same for CTE_CSR_BY_BLOCKS, with a place for every pair of nodes (PointQuad4: 30 numbers instead of 225): position
- * of the entry in the row of the first unknown of node a and the column of that of node b, for every b; behind these
- * how far the rows of node a are apart (0: the row of a multiplier is alone). Needs what meshes with all unknowns of a
- * node side by side have: rows of a node with the same columns, in them the columns of a node one after another.
- * Where it is not so: CTE_ERROR_INDEX, and cte_csr_map serves. map: [n][nnode][nnode + 1], written only when
+/* The same for CTE_CSR_BY_BLOCKS, with a place for every pair of nodes (PointQuad4: 30 numbers instead of 225):
+ * position of the entry in the row of the first unknown of node a and the column of that of node b, for every b;
+ * behind these how far the rows of node a are apart (0: the row of a multiplier is alone). Needs what meshes with all
+ * unknowns of a node side by side have: rows of a node with the same columns, in them the columns of a node one after
+ * another. Where it is not so: CTE_ERROR_INDEX, and cte_csr_map serves. map: [n][nnode][nnode + 1], written only when
  * everything was found. */
 int32_t cte_csr_blocks(const cte_element *element, int64_t n, int32_t nslave, const int32_t *connectivity,
                        int64_t rows, const int64_t *row_start, const int32_t *column, int64_t *map);

@@ -1,4 +1,4 @@
-/* bad_batches.c - bad input to batches and to their scatter map; see bad_input.c. */
+/* bad_batches.c - bad input to batches; see bad_input.c. */
 #include "bad_calls.h"
 #include "client_support.h"
 
@@ -116,6 +116,8 @@ static void null_pointers(void)
   fresh();
   batch.csr_map = NULL;
   expect("batch: csr_map null", CTE_ERROR_NULL, CTE_ARGUMENT_CSR);
+  batch.request |= CTE_CSR_BY_BLOCKS;
+  expect("batch: csr_map of blocks null", CTE_ERROR_NULL, CTE_ARGUMENT_CSR);
   fresh();
   batch.hist_new = NULL;
   expect("batch: hist_new null", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_NEW);
@@ -205,33 +207,6 @@ static void not_finite(void)
   }
 }
 
-static void scatter_map(void)
-{
-  fresh();
-  int64_t before[CONTACTS * UNKNOWNS * UNKNOWNS];
-  memset(map, 0x5a, sizeof map);
-  memcpy(before, map, sizeof map);
-  const cte_element *e = b.element;
-  client_check(cte_csr_map(NULL, CONTACTS, 0, connectivity, ROWS, row_start, column, map) == CTE_ERROR_NULL &&
-                   cte_csr_map(e, CONTACTS, 0, NULL, ROWS, row_start, column, map) == CTE_ERROR_NULL &&
-                   cte_csr_map(e, CONTACTS, 0, connectivity, ROWS, NULL, column, map) == CTE_ERROR_NULL &&
-                   cte_csr_map(e, CONTACTS, 0, connectivity, ROWS, row_start, NULL, map) == CTE_ERROR_NULL &&
-                   cte_csr_map(e, CONTACTS, 0, connectivity, ROWS, row_start, column, NULL) == CTE_ERROR_NULL,
-               "csr_map: each pointer null");
-  client_check(cte_csr_map(e, CONTACTS, 2, connectivity, ROWS, row_start, column, map) == CTE_ERROR_NODE_COUNT,
-               "csr_map: nslave");
-  client_check(cte_csr_map(e, CONTACTS, 0, connectivity, ROWS - 3, row_start, column, map) == CTE_ERROR_INDEX,
-               "csr_map: node beyond the rows");
-  connectivity[7] = -1;
-  client_check(cte_csr_map(e, CONTACTS, 0, connectivity, ROWS, row_start, column, map) == CTE_ERROR_INDEX,
-               "csr_map: connectivity -1");
-  lay_out();
-  column[ENTRIES - 1] = ROWS; /* entry (last, last) is missing now */
-  client_check(cte_csr_map(e, CONTACTS, 0, connectivity, ROWS, row_start, column, map) == CTE_ERROR_INDEX,
-               "csr_map: entry missing from the pattern");
-  client_check(memcmp(before, map, sizeof map) == 0, "csr_map: map untouched");
-}
-
 void bad_batches(void)
 {
   if (!bench_open(&b, "PointQuad4"))
@@ -246,5 +221,4 @@ void bad_batches(void)
   counts();
   strides();
   not_finite();
-  scatter_map();
 }

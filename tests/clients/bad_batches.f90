@@ -1,6 +1,6 @@
-! bad_batches.f90 - bad input to batches and to their scatter map; see bad_input.f90.
+! bad_batches.f90 - bad input to batches; see bad_input.f90.
 module bad_batches
-  use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_loc, c_null_ptr, c_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_associated, c_loc, c_null_ptr, c_sizeof
   use contact_elements
   use client_support
   implicit none
@@ -24,17 +24,6 @@ module bad_batches
   real(dp), save, target :: x(rows), u(rows), hist_old(contacts*room_history)
   integer(i4), save, target :: connectivity(contacts*5), column(entries)
   integer(i8), save, target :: row_start(rows + 1), map(contacts*unknowns**2)
-
-  ! cte_csr_map with every address by value.
-  abstract interface
-    function map_call(element, n, nslave, connectivity, rows, row_start, column, map) bind(c) result(code)
-      import :: i4, i8, c_ptr
-      type(c_ptr), value :: element, connectivity, row_start, column, map
-      integer(i8), value :: n, rows
-      integer(i4), value :: nslave
-      integer(i4) :: code
-    end function map_call
-  end interface
 
 contains
 
@@ -142,6 +131,8 @@ contains
     call fresh()
     batch%csr_map = c_null_ptr
     call expect('batch: csr_map null', CTE_ERROR_NULL, CTE_ARGUMENT_CSR)
+    batch%request = batch%request + CTE_CSR_BY_BLOCKS
+    call expect('batch: csr_map of blocks null', CTE_ERROR_NULL, CTE_ARGUMENT_CSR)
     call fresh()
     batch%hist_new = c_null_ptr
     call expect('batch: hist_new null', CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_NEW)
@@ -238,55 +229,13 @@ contains
     end do
   end subroutine not_finite
 
-  ! The code of one call for the scatter map.
-  function mapped(nslave, rows_given) result(code)
-    integer(i4), intent(in) :: nslave
-    integer, intent(in) :: rows_given
-    integer(i4) :: code
-    code = cte_csr_map(b%element, int(contacts, i8), nslave, connectivity, int(rows_given, i8), row_start, &
-      column, map)
-  end function mapped
-
-  subroutine null_maps()
-    type(cte_api_table) :: api
-    procedure(map_call), pointer :: csr_map
-    type(c_ptr) :: p(5), q(5)
-    logical :: pass
-    integer :: i
-    api%struct_size = int(c_sizeof(api), i4)
-    pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS
-    if (.not. pass) return
-    call c_f_procpointer(api%csr_map, csr_map)
-    p = [b%element, c_loc(connectivity), c_loc(row_start), c_loc(column), c_loc(map)]
-    do i = 1, 5
-      q = p
-      q(i) = c_null_ptr
-      pass = csr_map(q(1), int(contacts, i8), 0, q(2), int(rows, i8), q(3), q(4), q(5)) == CTE_ERROR_NULL .and. pass
-    end do
-    call client_check(pass, 'csr_map: each pointer null')
-  end subroutine null_maps
-
-  subroutine scatter_map()
-    integer(i8) :: before(contacts*unknowns**2)
-    call fresh()
-    map = -77
-    before = map
-    call null_maps()
-    call client_check(mapped(2, rows) == CTE_ERROR_NODE_COUNT, 'csr_map: nslave')
-    call client_check(mapped(0, rows - 3) == CTE_ERROR_INDEX, 'csr_map: node beyond the rows')
-    connectivity(8) = -1
-    call client_check(mapped(0, rows) == CTE_ERROR_INDEX, 'csr_map: connectivity -1')
-    call lay_out()
-    column(entries) = rows ! entry (last, last) is missing now
-    call client_check(mapped(0, rows) == CTE_ERROR_INDEX, 'csr_map: entry missing from the pattern')
-    call client_check(all(map == before), 'csr_map: map untouched')
-  end subroutine scatter_map
-
   subroutine bad_batches_run()
+    integer(i4) :: code
     call bench_open(b, 'PointQuad4')
     if (.not. c_associated(b%element)) return
     call lay_out()
-    call client_check(mapped(0, rows) == CTE_SUCCESS, 'csr_map of the sound batch')
+    code = cte_csr_map(b%element, int(contacts, i8), 0, connectivity, int(rows, i8), row_start, column, map)
+    call client_check(code == CTE_SUCCESS, 'csr_map of the sound batch')
     call fresh()
     call client_check(cte_element_evaluate_batch(b%element, int(contacts, i8), batch) == CTE_SUCCESS, &
       'the sound batch')
@@ -295,7 +244,6 @@ contains
     call counts()
     call strides()
     call not_finite()
-    call scatter_map()
   end subroutine bad_batches_run
 
 end module bad_batches

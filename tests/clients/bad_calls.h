@@ -4,7 +4,8 @@
 
 void bad_calls(void);   /* lookup, description, history, messages, table, Fortran 77 entries */
 void bad_states(void);  /* states without a normal or an area, sizes beyond any memory */
-void bad_batches(void); /* batches and their scatter map */
+void bad_batches(void); /* batches */
+void bad_maps(void);    /* their scatter maps */
 void bad_friction(void); /* frictional elements and the transfer of their history */
 void bad_multipliers(void); /* elements with multipliers, unknown or of the history */
 void bad_project(void); /* global projections */

@@ -355,6 +355,7 @@ int main(void)
   every_element();
   bad_calls();
   bad_batches();
+  bad_maps();
   bad_states();
   bad_friction();
   bad_multipliers();

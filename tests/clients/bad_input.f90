@@ -11,6 +11,7 @@ program bad_input
   use client_support
   use bad_calls, only: bad_calls_run
   use bad_batches, only: bad_batches_run
+  use bad_maps, only: bad_maps_run
   use bad_states, only: bad_states_run
   use bad_friction, only: bad_friction_run
   use bad_multipliers, only: bad_multipliers_run
@@ -31,6 +32,7 @@ program bad_input
   call every_element()
   call bad_calls_run()
   call bad_batches_run()
+  call bad_maps_run()
   call bad_states_run()
   call bad_friction_run()
   call bad_multipliers_run()

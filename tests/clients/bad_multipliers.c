@@ -261,8 +261,6 @@ static void refuse(const char *what, cte_batch *batch, int32_t wanted, int32_t a
 
 static void batches(void)
 {
-  static int64_t row_start[37], map[2 * N * N];
-  static const int32_t column[1] = {0};
   double untouched;
   cte_batch batch = fresh();
   batch.f_element_stride = LAMBDA;
@@ -273,11 +271,6 @@ static void batches(void)
   batch = fresh();
   connectivity[1][5] = 12;
   refuse("batch: the multiplier's node out of range", &batch, CTE_ERROR_INDEX, CTE_ARGUMENT_CONNECTIVITY, 11);
-  map[0] = UNTOUCHED;
-  connectivity[1][5] = 11;
-  client_check(cte_csr_map(b.element, 2, 0, &connectivity[0][0], 36, row_start, column, map) == CTE_ERROR_INDEX &&
-                   map[0] == UNTOUCHED,
-               "csr_map: no entries for multipliers");
   batch = fresh();
   client_special(0, &u[1][5][0]);
   memcpy(&untouched, &f[1][0], sizeof untouched);

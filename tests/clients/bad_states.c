@@ -253,7 +253,6 @@ static void batch_sizes(void)
 /* The second contact is the first to fail; its slots stay as they were. */
 static void batch_failures(void)
 {
-  int64_t map[1] = {UNTOUCHED};
   double canary;
   memset(&canary, 0x5a, sizeof canary);
   fresh();
@@ -280,14 +279,6 @@ static void batch_failures(void)
   client_check(cte_element_evaluate_batch(NULL, 0, &batch) == CTE_ERROR_NULL &&
                    batch.error_argument == CTE_ARGUMENT_ELEMENT,
                "batch: element null is named");
-  client_check(cte_csr_map(b.element, 0, 0, NULL, 0, NULL, NULL, NULL) == CTE_SUCCESS, "csr_map: no contacts");
-  const int32_t node = 0;
-  const int64_t start[2] = {0, 0};
-  client_check(cte_csr_map(b.element, INT64_MAX, 0, &node, 0, start, &node, map) == CTE_ERROR_INDEX &&
-                   cte_csr_map(b.element, 1, 0, &node, INT64_MAX, start, &node, map) == CTE_ERROR_INDEX &&
-                   cte_csr_map(b.element, -1, 0, &node, 0, start, &node, map) == CTE_ERROR_INDEX &&
-                   map[0] == UNTOUCHED,
-               "csr_map: sizes beyond any memory");
 }
 
 void bad_states(void)

@@ -29,13 +29,6 @@ module bad_states
       type(c_ptr), value :: element, arguments
       integer(i4) :: code
     end function evaluate_call
-    function map_call(element, n, nslave, connectivity, rows, row_start, column, map) bind(c) result(code)
-      import :: i4, i8, c_ptr
-      type(c_ptr), value :: element, connectivity, row_start, column, map
-      integer(i8), value :: n, rows
-      integer(i4), value :: nslave
-      integer(i4) :: code
-    end function map_call
   end interface
   type(cte_api_table), save :: api
 
@@ -325,25 +318,6 @@ contains
       'batch: element null is named')
   end subroutine batch_failures
 
-  subroutine scatter_maps()
-    integer(i4), target :: node
-    integer(i8), target :: start(2), map(1)
-    type(c_ptr) :: p(3)
-    procedure(map_call), pointer :: csr_map
-    logical :: pass
-    call c_f_procpointer(api%csr_map, csr_map)
-    pass = csr_map(b%element, 0_i8, 0, c_null_ptr, 0_i8, c_null_ptr, c_null_ptr, c_null_ptr) == CTE_SUCCESS
-    call client_check(pass, 'csr_map: no contacts')
-    node = 0
-    start = 0
-    map = untouched
-    p = [c_loc(node), c_loc(start), c_loc(map)]
-    pass = csr_map(b%element, far, 0, p(1), 0_i8, p(2), p(1), p(3)) == CTE_ERROR_INDEX
-    pass = csr_map(b%element, 1_i8, 0, p(1), far, p(2), p(1), p(3)) == CTE_ERROR_INDEX .and. pass
-    pass = csr_map(b%element, -1_i8, 0, p(1), 0_i8, p(2), p(1), p(3)) == CTE_ERROR_INDEX .and. pass
-    call client_check(pass .and. map(1) == untouched, 'csr_map: sizes beyond any memory')
-  end subroutine scatter_maps
-
   subroutine bad_states_run()
     api%struct_size = int(c_sizeof(api), i4)
     if (cte_api(CTE_VERSION_MAJOR, api) /= CTE_SUCCESS) then
@@ -362,7 +336,6 @@ contains
     call short_struct()
     call batch_sizes()
     call batch_failures()
-    call scatter_maps()
   end subroutine bad_states_run
 
 end module bad_states

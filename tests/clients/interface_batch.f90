@@ -263,12 +263,14 @@ contains
   function same_places(map, blocks) result(pass)
     integer(i8), intent(in) :: map(0:n - 1, 0:n - 1, contacts), blocks(0:5, 0:4, contacts)
     logical :: pass
-    integer :: e, i, j
+    integer :: e, a, i, j
     pass = .true.
     do e = 1, contacts
-      do i = 0, n - 1
-        do j = 0, n - 1
-          pass = pass .and. map(j, i, e) == blocks(j/3, i/3, e) + mod(i, 3)*blocks(5, i/3, e) + mod(j, 3)
+      do a = 0, 4
+        do i = 0, 2
+          do j = 0, 2
+            pass = pass .and. all(map(j::3, 3*a + i, e) == blocks(:4, a, e) + i*blocks(5, a, e) + j)
+          end do
         end do
       end do
     end do

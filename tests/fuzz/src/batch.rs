@@ -16,6 +16,7 @@ use crate::ledger::function;
 use crate::memory::Output;
 use crate::numbers::NUMBERS;
 use crate::plan::request;
+use crate::scatter::{self, PLACES};
 
 const FUNCTION: usize = function("cte_element_evaluate_batch");
 const BY_THREADS: usize = function("cte_element_evaluate_batch_threads");
@@ -32,7 +33,7 @@ const CUT_BACK: i32 = 1;
 const HISTORY_OLD: i32 = 8;
 
 /// Arrays that are written.
-struct Arrays {
+pub struct Arrays {
     f: Output<f64>,
     k: Output<f64>,
     new: Output<f64>,
@@ -40,8 +41,10 @@ struct Arrays {
     energy: Output<f64>,
     status: Output<i32>,
     code: Output<i32>,
-    global_f: Output<f64>,
-    csr_values: Output<f64>,
+    /// Sums of f.
+    pub global_f: Output<f64>,
+    /// Sums of K.
+    pub csr_values: Output<f64>,
     workspace: Output<f64>,
 }
 
@@ -49,7 +52,7 @@ struct Arrays {
 pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     let contacts = contacts(harness, entropy)?;
     let element = harness.elements[contacts.plan.element].clone();
-    let (batch, arrays) = place(harness, &element, &contacts, entropy)?;
+    let (batch, arrays) = place(harness, &element, &contacts)?;
     // SAFETY: a struct without padding is bytes.
     let bytes: [u8; size_of::<Batch>()] = unsafe { std::mem::transmute(batch) };
     let size = match contacts.plan.struct_size {
@@ -90,21 +93,22 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
         let worst = arrays.status.values().iter().copied().max().unwrap_or(0);
         check_exceptions(harness, &element, raised, code, worst)?;
     }
-    if code >= 0 && contacts.n > 0 {
-        check_contacts(harness, &element, &contacts, &arrays)?;
+    if code < 0 || contacts.n <= 0 {
+        return Ok(());
     }
-    Ok(())
+    let sums = scatter::sums(&arrays);
+    check_contacts(harness, &element, &contacts, &arrays)?;
+    scatter::by_entries(harness, &element, &contacts, (code, sums))
 }
 
-fn place(
+/// The batch and its arrays.
+pub fn place(
     harness: &mut Harness,
     element: &Element,
     contacts: &Contacts,
-    entropy: &mut Entropy,
 ) -> Result<(Batch, Arrays), String> {
     let plan = &contacts.plan;
     let (edge, nodes, d) = (plan.edge, plan.state.nodes, element.dimension());
-    let (count, unknowns) = (contacts.states.len(), element.unknowns(nodes));
     let workspace = info(&harness.interface, element.pointer, nodes as i32)?.workspace;
     let workspace_size = workspace.saturating_sub(plan.short);
     let room = workspace_size.clamp(0, workspace + 1000) as usize;
@@ -141,10 +145,7 @@ fn place(
         b.slave_row = slots.row.input(&rows, edge);
     }
     if contacts.scattered {
-        let map: Vec<i64> = (0..count * unknowns * unknowns)
-            .map(|at| ((at * 7 + entropy.below(3)) % 50) as i64)
-            .collect();
-        b.csr_map = slots.csr_map.input(&map, edge);
+        b.csr_map = slots.csr_map.input(&contacts.map, edge);
     }
     [b.f_element_stride, b.k_element_stride] = contacts.output_strides;
     [b.f_scale, b.k_scale] = plan.scales;
@@ -171,7 +172,7 @@ fn outputs(harness: &mut Harness, element: &Element, contacts: &Contacts, room: 
         status: slots.status.output(&vec![UNSET; count], edge),
         code: slots.code.output(&vec![UNSET; count], edge),
         global_f: slots.global_f.output(&zeros, edge),
-        csr_values: slots.csr_values.output(&[0.0; 50], edge),
+        csr_values: slots.csr_values.output(&[0.0; PLACES], edge),
         workspace: slots.workspace.canaries(room, edge),
     }
 }

@@ -4,7 +4,8 @@ use crate::element::Element;
 use crate::entropy::Entropy;
 use crate::evaluate::{initial, plan};
 use crate::harness::Harness;
-use crate::plan::Plan;
+use crate::plan::{Plan, request};
+use crate::scatter;
 use crate::state::State;
 
 /// Contacts of one element, and how they are handed in.
@@ -30,6 +31,8 @@ pub struct Contacts {
     pub output_strides: [i64; 2],
     /// Whether f and K are added to a global vector and sparse values.
     pub scattered: bool,
+    /// Their places, each in the first [`scatter::PLACES`] values.
+    pub map: Vec<i64>,
     /// Whether f and K go to arrays of the contacts.
     pub own: bool,
     /// Whether codes are asked for.
@@ -71,6 +74,7 @@ pub fn contacts(harness: &mut Harness, entropy: &mut Entropy) -> Result<Contacts
             _ => [unknowns + pad, unknowns * unknowns + pad],
         },
         scattered: gathered && entropy.chance(1, 2),
+        map: vec![],
         own: entropy.chance(3, 4),
         codes: entropy.chance(3, 4),
         null: None,
@@ -79,8 +83,14 @@ pub fn contacts(harness: &mut Harness, entropy: &mut Entropy) -> Result<Contacts
         old,
     };
     contacts.own |= !contacts.scattered;
+    if contacts.scattered && entropy.chance(1, 2) {
+        contacts.plan.request |= element.info.requests & request::CSR_BY_BLOCKS;
+    }
     for _ in 0..entropy.pick(&[0, 0, 1, 1, 2, 4]) {
         contacts.change(&element, entropy);
+    }
+    if contacts.scattered {
+        contacts.map = scatter::map(&element, &contacts, entropy);
     }
     Ok(contacts)
 }

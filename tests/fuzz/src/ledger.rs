@@ -8,7 +8,7 @@ use std::sync::atomic::Ordering::Relaxed;
 use rustix::mm::{MapFlags, ProtFlags, mmap};
 
 /// Functions of the interface; the last stands for the symbols of all elements.
-pub const FUNCTIONS: [&str; 30] = [
+pub const FUNCTIONS: [&str; 31] = [
     "cte_abi_version",
     "cte_api",
     "cte_element_count",
@@ -29,6 +29,7 @@ pub const FUNCTIONS: [&str; 30] = [
     "cte_element_evaluate_batch",
     "cte_element_evaluate_batch_threads",
     "cte_csr_map",
+    "cte_csr_blocks",
     "cte_code_message",
     "cte_status_message",
     "cte_argument_name",

@@ -23,6 +23,8 @@ pub mod request {
     pub const PROJECTION_GIVEN: u32 = 128;
     /// `CTE_SCREEN`.
     pub const SCREEN: u32 = 256;
+    /// `CTE_CSR_BY_BLOCKS`.
+    pub const CSR_BY_BLOCKS: u32 = 512;
 }
 
 /// Arrays and pointers that can be null.

@@ -1,4 +1,4 @@
-//! `cte_csr_map` and `cte_element_batch_workspace`.
+//! `cte_csr_map`, `cte_csr_blocks` and `cte_element_batch_workspace`.
 
 use std::ptr::{null, null_mut};
 
@@ -8,47 +8,58 @@ use crate::harness::{Checked, Harness};
 use crate::ledger::function;
 use crate::memory::Edge;
 use crate::numbers::NUMBERS;
+use crate::pattern::Pattern;
 use crate::state::State;
 
-const MAP: usize = function("cte_csr_map");
+const MAPS: [usize; 2] = [function("cte_csr_map"), function("cte_csr_blocks")];
 const WORKSPACE: usize = function("cte_element_batch_workspace");
 /// Before a call in the map.
 const UNSET: i64 = -77;
+/// Arguments that can be null: connectivity, columns, rows, map, element.
+const POINTERS: usize = 5;
 
-/// A pattern and the elements that go into it.
-#[derive(Debug)]
-struct Pattern {
-    n: i64,
-    nslave: i32,
-    nodes: usize,
-    connectivity: Vec<i32>,
-    rows: i64,
-    start: Vec<i64>,
-    column: Vec<i32>,
-}
-
-/// A full pattern, changed in none or some places.
+/// A full pattern, changed in none or some places, for both maps.
 pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     let index = harness.element(entropy);
     let element = harness.elements[index].clone();
     workspace(harness, &element, entropy)?;
     let state = State::new(&element, entropy);
     let count = 1 + entropy.below(3);
-    let mut pattern = full(&element, &state, count, entropy);
-    for _ in 0..entropy.pick(&[0, 0, 1, 1, 2]) {
+    let mut pattern = Pattern::full(&element, &state, count, entropy);
+    for _ in 0..entropy.pick(&[0, 0, 1, 1, 2, 4]) {
         pattern.change(&element, entropy);
     }
     let edge = entropy.pick(&[Edge::End, Edge::Start]);
-    let unknowns = element.unknowns(state.nodes);
     let missing = entropy.below(48);
     harness.show("sparse", &(&element.name, &pattern, missing));
+    let mut codes = [0; 2];
+    for (which, code) in codes.iter_mut().enumerate() {
+        *code = make(harness, (&element, &pattern), which, (count, missing, edge))?;
+    }
+    if missing < POINTERS {
+        return match codes[0] == codes[1] {
+            true => Ok(()),
+            false => Err(format!("something is missing, codes {codes:?}")),
+        };
+    }
+    pattern.check_codes(&element, codes)
+}
+
+/// One of both maps, checked; its code.
+fn make(
+    harness: &mut Harness,
+    (element, pattern): (&Element, &Pattern),
+    which: usize,
+    (count, missing, edge): (usize, usize, Edge),
+) -> Result<i32, String> {
     let slots = &mut harness.slots;
     let or_null = |number, pointer| if missing == number { null() } else { pointer };
     let connectivity = or_null(0, slots.map.input(&pattern.connectivity, edge));
     let column = or_null(1, slots.csr_values.input(&pattern.column, edge));
     let start = slots.csr_map.input(&pattern.start, edge);
     let start = if missing == 2 { null() } else { start };
-    let before = vec![UNSET; count * unknowns * unknowns];
+    let (nodes, unknowns) = (pattern.nodes, element.unknowns(pattern.nodes));
+    let before = vec![UNSET; count * [unknowns * unknowns, nodes * (nodes + 1)][which]];
     let map = slots.k.output(&before, edge);
     let to = if missing == 3 {
         null_mut()
@@ -60,107 +71,29 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     } else {
         element.pointer
     };
-    let make = harness.interface.table.csr_map;
+    let table = &harness.interface.table;
+    let make = [table.csr_map, table.csr_blocks][which];
     let (n, nslave, rows) = (pattern.n, pattern.nslave, pattern.rows);
     // SAFETY: what the header demands, or what it says is refused.
     let call = || unsafe { make(handle, n, nslave, connectivity, rows, start, column, to) };
-    let code = harness.call(MAP, call);
-    harness.ledger.code(MAP, code);
+    let code = harness.call(MAPS[which], call);
+    harness.ledger.code(MAPS[which], code);
     NUMBERS.code(code)?;
     map.check_margins("map")?;
     if code != 0 || n == 0 {
-        let touched = map.values() != before;
-        return if touched {
-            Err(format!("map written, code {code}"))
-        } else {
-            Ok(())
+        return match map.values() == before {
+            true => Ok(code),
+            false => Err(format!("map written, code {code}")),
         };
     }
-    if missing < 5 {
+    if missing < POINTERS {
         return Err("something is missing, but code 0".to_string());
     }
-    pattern.check(&element, map.values())
-}
-
-/// Every row has a column for every row.
-fn full(element: &Element, state: &State, count: usize, entropy: &mut Entropy) -> Pattern {
-    let (d, nodes) = (element.dimension(), state.nodes);
-    let global = nodes + entropy.below(nodes * count);
-    let rows = global * d;
-    let mut connectivity = Vec::with_capacity(count * nodes);
-    for _ in 0..count {
-        let first = entropy.below(global);
-        connectivity.extend((0..nodes).map(|a| ((first + a) % global) as i32));
+    match which {
+        0 => pattern.check(element, map.values())?,
+        _ => pattern.check(element, &Pattern::expanded(element, nodes, map.values()))?,
     }
-    Pattern {
-        n: count as i64,
-        nslave: state.nslave as i32,
-        nodes,
-        connectivity,
-        rows: rows as i64,
-        start: (0..=rows).map(|row| (row * rows) as i64).collect(),
-        column: (0..rows * rows).map(|at| (at % rows) as i32).collect(),
-    }
-}
-
-impl Pattern {
-    fn change(&mut self, element: &Element, entropy: &mut Entropy) {
-        match entropy.below(7) {
-            0 => self.n = entropy.pick(&[0, -1, i64::MIN, i64::MAX, 1 << 60]),
-            1 if element.interpolated() => {
-                self.nslave = entropy.pick(&[0, -1, i32::MAX, 1 << 30]);
-            }
-            1 => self.nslave = entropy.strange_i32(self.nslave),
-            2 => {
-                let at = entropy.below(self.connectivity.len());
-                self.connectivity[at] = entropy.strange_i32(self.connectivity[at]);
-            }
-            3 => {
-                // the last one is the length of the columns
-                let at = entropy.below(self.start.len() - 1);
-                self.start[at] = entropy.pick(&[-1, i64::MIN, i64::MAX, 0, self.start[at] + 1]);
-            }
-            4 => {
-                let at = entropy.below(self.column.len());
-                self.column[at] = entropy.strange_i32(self.column[at]);
-            }
-            5 => {
-                if let Some(last) = self.start.last_mut() {
-                    *last = entropy.pick(&[-1, i64::MIN, i64::MAX, 0]);
-                }
-            }
-            _ => self.rows = entropy.pick(&[-1, i64::MIN, i64::MAX, 0, self.rows - 1]),
-        }
-        // fewer rows end where their last one ends
-        if let Some(&last) = usize::try_from(self.rows)
-            .ok()
-            .and_then(|r| self.start.get(r))
-        {
-            let room = i64::try_from(self.column.len()).unwrap_or(0);
-            if last > room && last < 1 << 60 {
-                self.rows = 0;
-            }
-        }
-    }
-
-    /// The place of every entry has its column.
-    fn check(&self, element: &Element, map: &[i64]) -> Checked {
-        let unknowns = element.unknowns(self.nodes);
-        let (d, positions) = (element.dimension(), self.nodes - element.multipliers);
-        for (at, &place) in map.iter().enumerate() {
-            let (e, j) = (at / (unknowns * unknowns), at % unknowns);
-            let (a, k) = match j.checked_sub(positions * d) {
-                Some(multiplier) => (positions + multiplier, 0),
-                None => (j / d, j % d),
-            };
-            let wanted = self.connectivity[e * self.nodes + a] * d as i32 + k as i32;
-            let place = usize::try_from(place).unwrap_or(usize::MAX);
-            if self.column.get(place) != Some(&wanted) {
-                return Err(format!("map entry {at}: not at column {wanted}"));
-            }
-        }
-        Ok(())
-    }
+    Ok(code)
 }
 
 fn workspace(harness: &mut Harness, element: &Element, entropy: &mut Entropy) -> Checked {

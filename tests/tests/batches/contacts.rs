@@ -1,6 +1,6 @@
 //! Random contacts of one element: good ones, and some that cannot be evaluated.
 
-use contact_elements::abi::{Descriptor, Sparse, csr_map, element_history_init};
+use contact_elements::abi::{Descriptor, Sparse, csr_blocks, csr_map, element_history_init};
 
 /// Numbers that look random.
 pub struct Random(pub u64);
@@ -33,7 +33,10 @@ pub struct Contacts {
     pub history: Vec<f64>,
     pub parameters: Vec<f64>,
     pub connectivity: Vec<i32>,
+    /// A place for every entry.
     pub map: Vec<i64>,
+    /// A place for every pair of nodes.
+    pub blocks: Vec<i64>,
 }
 
 /// Where the nodes are before they are moved: slave first.
@@ -84,6 +87,7 @@ impl Contacts {
             parameters: vec![],
             connectivity: vec![],
             map: vec![],
+            blocks: vec![],
         };
         for e in 0..count {
             contacts.add_nodes(&base, &mut random);
@@ -175,29 +179,31 @@ impl Contacts {
         }
     }
 
-    /// Positions of a dense matrix of all nodes.
+    /// Positions in a dense matrix of all nodes.
     pub fn csr(&mut self) -> usize {
         let d = self.element.dimension;
         let rows = d * (self.count * (self.nodes - 1) + 1);
         let start: Vec<i64> = (0..=rows as i64).map(|row| row * rows as i64).collect();
         let columns: Vec<i32> = (0..rows * rows).map(|i| (i % rows) as i32).collect();
         self.map = vec![0; self.count * (d * self.nodes) * (d * self.nodes)];
-        // SAFETY: all arrays have the extents of the header.
-        let code = unsafe {
-            csr_map(
-                Sparse {
-                    element: self.element,
-                    n: self.count as i64,
-                    nslave: 0,
-                    connectivity: self.connectivity.as_ptr(),
-                    rows: rows as i64,
-                    row_start: start.as_ptr(),
-                    column: columns.as_ptr(),
-                },
-                self.map.as_mut_ptr(),
-            )
+        self.blocks = vec![0; self.count * self.nodes * (self.nodes + 1)];
+        let sparse = Sparse {
+            element: self.element,
+            n: self.count as i64,
+            nslave: 0,
+            connectivity: self.connectivity.as_ptr(),
+            rows: rows as i64,
+            row_start: start.as_ptr(),
+            column: columns.as_ptr(),
         };
-        assert_eq!(code, 0);
+        // SAFETY: all arrays have the extents of the header.
+        let codes = unsafe {
+            [
+                csr_map(sparse, self.map.as_mut_ptr()),
+                csr_blocks(sparse, self.blocks.as_mut_ptr()),
+            ]
+        };
+        assert_eq!(codes, [0; 2]);
         rows
     }
 }

@@ -36,6 +36,8 @@ pub struct Form {
     /// Node and component strides of x, where it is not shared.
     pub strides: [usize; 2],
     pub scattered: bool,
+    /// Scattered by blocks of nodes.
+    pub by_blocks: bool,
     pub scale: f64,
 }
 
@@ -97,6 +99,9 @@ pub fn evaluate(
     let mut batch: Batch = unsafe { std::mem::zeroed() };
     batch.struct_size = size_of::<Batch>() as u32;
     batch.request = form.request;
+    if form.by_blocks {
+        batch.request |= request::CSR_BY_BLOCKS;
+    }
     batch.parameter_count = element.parameters.len() as i32;
     batch.parameter_element_stride = if form.same_parameters {
         0
@@ -132,7 +137,12 @@ pub fn evaluate(
                 batch.global_nodes = (rows / d) as i64;
                 batch.global_f = out.f.as_mut_ptr();
                 batch.csr_values = out.k.as_mut_ptr();
-                batch.csr_map = contacts.map.as_ptr().add(at * unknowns * unknowns);
+                let map = if form.by_blocks {
+                    contacts.blocks.as_ptr().add(at * n * (n + 1))
+                } else {
+                    contacts.map.as_ptr().add(at * unknowns * unknowns)
+                };
+                batch.csr_map = map;
             } else {
                 batch.f = out.f.as_mut_ptr().add(at * unknowns);
                 batch.k = out.k.as_mut_ptr().add(at * unknowns * unknowns);
@@ -172,6 +182,7 @@ pub fn forms() -> Vec<Form> {
         displacements: false,
         strides: [3, 1],
         scattered: false,
+        by_blocks: false,
         scale: 0.0,
     };
     vec![

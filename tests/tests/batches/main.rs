@@ -9,12 +9,22 @@ use contact_elements::abi::Descriptor;
 use contact_elements::elements::{ELEMENTS, Line2Line2Beams, PointQuad4, PointQuad9, PointTri3};
 use contact_elements::runtime::Width;
 use contacts::Contacts;
-use evaluate::{differing, evaluate, forms, raised};
+use evaluate::{Form, differing, evaluate, forms, raised};
 
 fn widths() -> impl Iterator<Item = Width> {
     [Width::One, Width::Four, Width::Eight]
         .into_iter()
         .filter(|&width| width <= Width::widest())
+}
+
+/// Contacts at a time, and whether sums are scattered by blocks of nodes: a place for every entry is what they are
+/// compared with.
+fn ways(form: Form, count: usize) -> Vec<(usize, bool)> {
+    let mut ways = vec![(count, false), (37, false)];
+    if form.scattered {
+        ways.extend([(1, true), (37, true), (count, true)]);
+    }
+    ways
 }
 
 fn check(element: &'static Descriptor) {
@@ -29,7 +39,8 @@ fn check(element: &'static Descriptor) {
             let rows = if form.scattered { contacts.csr() } else { 0 };
             let (one, flags) = raised(|| evaluate(&contacts, form, rows, Width::One, 1));
             for width in widths() {
-                for length in [count, 37] {
+                for (length, by_blocks) in ways(form, count) {
+                    let form = Form { by_blocks, ..form };
                     let (many, more) = raised(|| evaluate(&contacts, form, rows, width, length));
                     assert_eq!(more & !flags, 0, "exceptions: {form:?} {width:?} {seed}");
                     assert_eq!(one.code, many.code, "{form:?} {width:?}");

@@ -220,14 +220,25 @@ fn check(element: &'static Descriptor) -> Tally {
             };
             let width = Width::widest();
             let (plain, flags) = raised(|| evaluate(&contacts, form, rows, width, count));
-            let (screened, more) = raised(|| evaluate(&contacts, screening, rows, width, 37));
-            assert_eq!(more & !flags, 0, "exceptions: {form:?} {seed}");
-            if form.scattered {
-                assert_eq!(bits(&plain.f), bits(&screened.f));
-                assert_eq!(bits(&plain.k), bits(&screened.k));
-            }
-            for e in 0..count {
-                tally.compare(&contacts, form, (&plain, &screened), e);
+            let maps = if form.scattered {
+                &[false, true][..]
+            } else {
+                &[false]
+            };
+            for &by_blocks in maps {
+                let screening = Form {
+                    by_blocks,
+                    ..screening
+                };
+                let (screened, more) = raised(|| evaluate(&contacts, screening, rows, width, 37));
+                assert_eq!(more & !flags, 0, "exceptions: {form:?} {seed}");
+                if form.scattered {
+                    assert_eq!(bits(&plain.f), bits(&screened.f));
+                    assert_eq!(bits(&plain.k), bits(&screened.k));
+                }
+                for e in 0..count {
+                    tally.compare(&contacts, form, (&plain, &screened), e);
+                }
             }
         }
     }

@@ -22,6 +22,8 @@ struct Form {
     dense: bool,
     /// Sums into shared arrays.
     scattered: bool,
+    /// By blocks of nodes.
+    by_blocks: bool,
     scale: f64,
     /// Distance between matrices of contacts beyond their size.
     spare: usize,
@@ -34,6 +36,7 @@ const FORMS: [Form; 5] = {
         request: ALL,
         dense: false,
         scattered: true,
+        by_blocks: false,
         scale: 0.0,
         spare: 0,
         in_place: false,
@@ -106,6 +109,9 @@ fn evaluate(mesh: &Mesh, form: Form, threads: Option<i32>) -> Outputs {
     let mut batch: Batch = unsafe { std::mem::zeroed() };
     batch.struct_size = size_of::<Batch>() as u32;
     batch.request = form.request;
+    if form.by_blocks {
+        batch.request |= request::CSR_BY_BLOCKS;
+    }
     batch.nslave = mesh.slaves as i32;
     batch.parameter_count = element.parameters.len() as i32;
     batch.parameter_element_stride = i64::from(batch.parameter_count);
@@ -126,7 +132,12 @@ fn evaluate(mesh: &Mesh, form: Form, threads: Option<i32>) -> Outputs {
     }
     if form.scattered {
         (batch.global_f, batch.csr_values) = (global_f, csr);
-        batch.csr_map = mesh.map.as_ptr();
+        let map = if form.by_blocks {
+            &mesh.blocks
+        } else {
+            &mesh.map
+        };
+        batch.csr_map = map.as_ptr();
     }
     (batch.f_scale, batch.k_scale) = (form.scale, form.scale);
     (batch.output, batch.energy) = (output, energy);
@@ -174,13 +185,19 @@ fn check(element: &'static Descriptor, counts: [usize; 2]) {
             assert_eq!(one.returned, code::CUT_BACK);
             let closed = of(1) + of(2) + of(3);
             assert!(one.failed > 1 && of(0) > count / 20 && closed > count / 5);
-            for threads in THREADS {
-                let many = evaluate(&mesh, form, Some(threads));
+            let by_threads = THREADS.map(|threads| (Some(threads), false));
+            let by_blocks = [None].into_iter().chain(THREADS.map(Some));
+            let by_blocks = by_blocks
+                .filter(|_| form.scattered)
+                .map(|threads| (threads, true));
+            for (threads, by_blocks) in by_threads.into_iter().chain(by_blocks) {
+                let form = Form { by_blocks, ..form };
+                let many = evaluate(&mesh, form, threads);
                 let place = differing(&one, &many);
                 let name = element.name.trim_end_matches('\0');
                 assert!(
                     place.is_none(),
-                    "{name}, {count} contacts, shuffled: {is_shuffled}, {threads} threads, {form:?}: {place:?}"
+                    "{name}, {count} contacts, shuffled: {is_shuffled}, {threads:?} threads, {form:?}: {place:?}"
                 );
             }
         }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use contact_elements::abi::{Descriptor, Sparse, csr_map, element_history_init};
+use contact_elements::abi::{Descriptor, Sparse, csr_blocks, csr_map, element_history_init};
 
 struct Random(u64);
 
@@ -42,7 +42,10 @@ pub struct Mesh {
     pub slave_rows: Vec<f64>,
     pub rows: usize,
     pub columns: Vec<i32>,
+    /// A place for every entry.
     pub map: Vec<i64>,
+    /// A place for every pair of nodes.
+    pub blocks: Vec<i64>,
 }
 
 impl Mesh {
@@ -65,6 +68,7 @@ impl Mesh {
             rows: 0,
             columns: vec![],
             map: vec![],
+            blocks: vec![],
         };
         mesh.add_nodes(side, &mut random);
         let mut order: Vec<usize> = (0..count).collect();
@@ -76,7 +80,7 @@ impl Mesh {
         for number in order {
             mesh.add_contact((number / PER_FACET, side), nodes, &mut random);
         }
-        mesh.make_map(nodes);
+        mesh.make_maps(nodes);
         mesh
     }
 
@@ -128,7 +132,7 @@ impl Mesh {
         }
     }
 
-    fn make_map(&mut self, nodes: usize) {
+    fn make_maps(&mut self, nodes: usize) {
         self.rows = self.x.len();
         let mut pattern = vec![BTreeSet::new(); self.x.len() / 3];
         for contact in self.connectivity.chunks(nodes) {
@@ -146,21 +150,23 @@ impl Mesh {
             starts.push(self.columns.len() as i64);
         }
         self.map = vec![0; self.count * self.unknowns * self.unknowns];
-        // SAFETY: all arrays have the extents of the header.
-        let code = unsafe {
-            csr_map(
-                Sparse {
-                    element: self.element,
-                    n: self.count as i64,
-                    nslave: self.slaves as i32,
-                    connectivity: self.connectivity.as_ptr(),
-                    rows: self.rows as i64,
-                    row_start: starts.as_ptr(),
-                    column: self.columns.as_ptr(),
-                },
-                self.map.as_mut_ptr(),
-            )
+        self.blocks = vec![0; self.count * nodes * (nodes + 1)];
+        let sparse = Sparse {
+            element: self.element,
+            n: self.count as i64,
+            nslave: self.slaves as i32,
+            connectivity: self.connectivity.as_ptr(),
+            rows: self.rows as i64,
+            row_start: starts.as_ptr(),
+            column: self.columns.as_ptr(),
         };
-        assert_eq!(code, 0);
+        // SAFETY: all arrays have the extents of the header.
+        let codes = unsafe {
+            [
+                csr_map(sparse, self.map.as_mut_ptr()),
+                csr_blocks(sparse, self.blocks.as_mut_ptr()),
+            ]
+        };
+        assert_eq!(codes, [0; 2]);
     }
 }

@@ -1,11 +1,10 @@
 //! Finite-element contact elements with exact residual and tangent.
 //!
-//! Declare a pair with [`contact_elements!`], build, and link a C or Fortran symbol; or use the built-in
-//! [`elements`]. The kernels need neither the standard library nor an allocator.
+//! Declare a pair with [`contact_elements!`], build, and link a C or Fortran symbol; the built-in elements are the
+//! crate `contact-library`. The kernels need neither the standard library nor an allocator.
 //!
 //! | feature | |
 //! |---|---|
-//! | `library`, on | the built-in [`elements`]; without it a crate with elements of its own is built sooner |
 //! | `threads`, off | [`abi::element_evaluate_batch_threads`] has threads; needs the standard library |
 #![no_std]
 
@@ -17,8 +16,6 @@ pub use contact_macros::contact_elements;
 
 pub mod abi;
 pub mod arithmetic;
-#[cfg(feature = "library")]
-pub mod elements;
 pub mod geometry;
 pub mod laws;
 pub mod program;

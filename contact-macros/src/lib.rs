@@ -14,7 +14,8 @@ pub fn contact_elements(tokens: TokenStream) -> TokenStream {
     contact_generator::expand::expand(tokens.into()).into()
 }
 
-/// One part of the built-in library: `geometries`, `laws` or `elements`.
+/// One part of the built-in library: `geometries`, `laws`, `elements`, `elements_extended`; or `lists`, those of all
+/// elements, whose types must be in scope.
 #[proc_macro]
 pub fn library(part: TokenStream) -> TokenStream {
     contact_generator::expand::expand_library(&part.to_string())

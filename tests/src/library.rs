@@ -40,6 +40,7 @@ impl Library {
                 .clone()
         };
         let elements = artefact("libcontact_elements-", ".rlib");
+        let all = artefact("libcontact_library-", ".rlib");
         let macros = artefact("libcontact_macros-", ".so");
         let library = Self::empty("contact_elements");
         let mut rustc = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
@@ -59,6 +60,8 @@ impl Library {
             .arg(elements.parent().expect("a folder"))
             .arg("--extern")
             .arg(format!("contact_elements={}", elements.display()))
+            .arg("--extern")
+            .arg(format!("contact_library={}", all.display()))
             .arg("--extern")
             .arg(format!("contact_macros={}", macros.display()))
             .arg("-Clink-arg=-Wl,-soname,libcontact_elements.so.1")

@@ -159,7 +159,7 @@ fn sizes() {
         println!("{what}: {} kB", size / 1000);
     }
     let size = std::fs::metadata(stripped).expect("a file").len();
-    let elements = contact_elements::elements::ELEMENTS;
+    let elements = contact_library::ELEMENTS;
     let lanes = elements.iter().filter(|own| own.lanes.is_some()).count() as u64;
     // kernels in lanes are there for each width
     let most = 28_500 * elements.len() as u64 + 90_000 * lanes;

@@ -48,7 +48,7 @@ impl std::fmt::Display for UnknownName {
 
 /// Every built-in element.
 pub fn built_in() -> Result<Vec<Subject>, UnknownName> {
-    contact_elements::elements::DESCRIPTIONS
+    contact_library::DESCRIPTIONS
         .iter()
         .map(|description| Subject::new(description))
         .collect()

@@ -7,7 +7,7 @@ use contact_elements::abi::{
     Batch, Sparse, csr_blocks, csr_map, element_evaluate_batch, element_evaluate_batch_threads,
     request,
 };
-use contact_elements::elements::PointQuad4;
+use contact_library::PointQuad4;
 
 use crate::states::Random;
 

@@ -4,7 +4,7 @@
 
 use core::cell::Cell;
 
-use contact_elements::elements::{Line2Line2Beams, PointQuad4};
+use contact_library::{Line2Line2Beams, PointQuad4};
 use contact_elements::runtime::{Call, Coordinates, Nodes, Receiver, Report, Wanted, fixed};
 
 /// Dense R and K, row-major.

@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use contact_bench_elements as own;
 use contact_elements::abi::Descriptor;
-use contact_elements::elements;
+use contact_library as elements;
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 

@@ -1,7 +1,7 @@
 //! The C library: the built-in elements behind the symbols of `contact_elements.h`.
 #![cfg_attr(not(feature = "threads"), no_std)]
 
-use contact_elements::elements::*;
+use contact_library::*;
 
 contact_macros::library_export!(cte);
 

@@ -7,13 +7,13 @@
 use std::time::Instant;
 
 use contact_generator::emit::readable;
-use contact_generator::expand::expand;
+use contact_generator::expand::{LIBRARY_ELEMENTS, expand};
 use proc_macro2::TokenStream;
 
 fn main() -> syn::Result<()> {
     println!("{:<44} {:>8} {:>8}", "element", "ms", "kB");
     let (mut longest, mut largest) = (0.0_f64, 0);
-    for declaration in declarations(include_str!("../library/elements.contact")) {
+    for declaration in declarations(&LIBRARY_ELEMENTS.concat()) {
         let name = declaration.split_whitespace().nth(1).unwrap_or_default();
         let tokens: TokenStream = declaration.parse()?;
         let start = Instant::now();

@@ -1,6 +1,6 @@
 //! The pipeline, read first: declaration → syntax → model → linearised programs → optimised → Rust.
 
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::budget;
@@ -18,8 +18,11 @@ pub struct Declaration {
     pub file: File,
 }
 
-/// Text of the built-in elements, in the language.
-pub const LIBRARY_ELEMENTS: &str = include_str!("../library/elements.contact");
+/// Text of the built-in elements, in the language: two parts, for two crates that are compiled side by side.
+pub const LIBRARY_ELEMENTS: [&str; 2] = [
+    include_str!("../library/elements.contact"),
+    include_str!("../library/elements_extended.contact"),
+];
 
 /// Expands the body of `contact_elements! { … }`. Mistakes become `compile_error!` at their tokens.
 pub fn expand(tokens: TokenStream) -> TokenStream {
@@ -32,9 +35,11 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     result.unwrap_or_else(|error| error.into_compile_error())
 }
 
-/// Expands one part of the built-in library: `geometries`, `laws` or `elements`.
+/// Expands one part of the built-in library: `geometries`, `laws`, `elements`, `elements_extended`; or
+/// `lists`, those of all elements, whose types must be in scope.
 pub fn expand_library(part: &str) -> syn::Result<TokenStream> {
     let library = Model::library();
+    let [elements, elements_extended] = LIBRARY_ELEMENTS;
     let model = match part {
         "geometries" => Model {
             geometries: library.geometries.clone(),
@@ -45,7 +50,13 @@ pub fn expand_library(part: &str) -> syn::Result<TokenStream> {
             tangential_laws: library.tangential_laws.clone(),
             ..Model::default()
         },
-        _ => library_elements()?,
+        "elements" => elements_of(elements, &library)?,
+        "elements_extended" => elements_of(elements_extended, &library)?,
+        "lists" => return Ok(registry(&library_elements()?)),
+        _ => {
+            let message = format!("the library has no part `{part}`");
+            return Err(syn::Error::new(Span::call_site(), message));
+        }
     };
     Ok(emit(&model, None))
 }
@@ -60,10 +71,14 @@ pub fn expand_library_export(prefix: &Ident) -> syn::Result<TokenStream> {
     Ok(emit_export(prefix, &names))
 }
 
-/// The built-in elements.
+/// The built-in elements of both parts, in the order of their indices.
 pub fn library_elements() -> syn::Result<Model> {
-    let tokens: TokenStream = LIBRARY_ELEMENTS.parse()?;
-    Model::build(&syn::parse2(tokens)?, Some(&Model::library()))
+    elements_of(&LIBRARY_ELEMENTS.concat(), &Model::library())
+}
+
+fn elements_of(text: &str, library: &Model) -> syn::Result<Model> {
+    let tokens: TokenStream = text.parse()?;
+    Model::build(&syn::parse2(tokens)?, Some(library))
 }
 
 /// Splits off `export PREFIX;` and parses the rest.
@@ -104,28 +119,33 @@ fn registry(model: &Model) -> TokenStream {
     let geometries = list(
         "GEOMETRIES",
         "GeometryPrograms",
-        "PROGRAMS",
-        model.geometries.iter().map(|g| &g.name),
+        model.geometries.iter().map(|geometry| {
+            let name = &geometry.name;
+            quote! { #name::PROGRAMS }
+        }),
     );
     let laws = list(
         "LAWS",
         "LawPrograms",
-        "PROGRAMS",
-        model.laws.iter().map(|law| &law.name),
+        model.laws.iter().map(|law| {
+            let name = &law.name;
+            quote! { &#name::PROGRAMS }
+        }),
     );
     let tangential_laws = list(
         "TANGENTIAL_LAWS",
         "TangentialLawPrograms",
-        "PROGRAMS",
-        model.tangential_laws.iter().map(|law| &law.name),
+        model.tangential_laws.iter().map(|law| {
+            let name = &law.name;
+            quote! { &#name::PROGRAMS }
+        }),
     );
+    let names: Vec<&Ident> = model.elements.iter().map(|element| &element.name).collect();
     let descriptions = list(
         "DESCRIPTIONS",
         "ElementDescription",
-        "DESCRIPTION",
-        model.elements.iter().map(|element| &element.name),
+        names.iter().map(|name| quote! { &#name::DESCRIPTION }),
     );
-    let names: Vec<&Ident> = model.elements.iter().map(|element| &element.name).collect();
     let count = names.len();
     let elements = (count > 0).then(|| {
         quote! {
@@ -137,23 +157,14 @@ fn registry(model: &Model) -> TokenStream {
     quote! { #geometries #laws #tangential_laws #descriptions #elements }
 }
 
-fn list<'a>(
-    name: &str,
-    kind: &str,
-    constant: &str,
-    items: impl Iterator<Item = &'a Ident>,
-) -> Option<TokenStream> {
-    let items: Vec<&Ident> = items.collect();
+fn list(name: &str, kind: &str, items: impl Iterator<Item = TokenStream>) -> Option<TokenStream> {
+    let items: Vec<TokenStream> = items.collect();
     if items.is_empty() {
         return None;
     }
-    let (name, kind, constant) = (
-        format_ident!("{name}"),
-        format_ident!("{kind}"),
-        format_ident!("{constant}"),
-    );
+    let (name, kind) = (format_ident!("{name}"), format_ident!("{kind}"));
     Some(quote! {
         /// What was declared here, for verification.
-        pub const #name: &[&::contact_elements::program::#kind] = &[#(&#items::#constant),*];
+        pub const #name: &[&::contact_elements::program::#kind] = &[#(#items),*];
     })
 }

@@ -6,8 +6,8 @@ mod evaluate;
 mod screen;
 
 use contact_elements::abi::Descriptor;
-use contact_elements::elements::{ELEMENTS, Line2Line2Beams, PointQuad4, PointQuad9, PointTri3};
 use contact_elements::runtime::Width;
+use contact_library::{ELEMENTS, Line2Line2Beams, PointQuad4, PointQuad9, PointTri3};
 use contacts::Contacts;
 use evaluate::{Form, differing, evaluate, forms, raised};
 

@@ -1,8 +1,8 @@
 //! `CTE_SCREEN`: what is left out is open, whatever its projection; everything else is as without.
 
 use contact_elements::abi::{Descriptor, OUTPUT_SIZE, request};
-use contact_elements::elements::ELEMENTS;
 use contact_elements::runtime::Width;
+use contact_library::ELEMENTS;
 
 use crate::contacts::Contacts;
 use crate::evaluate::{Form, Outputs, evaluate, forms, raised};

@@ -1,8 +1,8 @@
 //! A contact pair that is moved through configurations, its history accepted step by step.
 
 use contact_elements::abi::{Descriptor, Evaluation, OUTPUT_SIZE, Outcome, code, evaluate};
-use contact_elements::elements::ELEMENTS;
 use contact_elements::runtime::Status;
+use contact_library::ELEMENTS;
 
 use crate::vector::{Vector, add, cross, dot, scaled, unit};
 

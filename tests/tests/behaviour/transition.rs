@@ -1,7 +1,7 @@
 //! From facet to edge to vertex: one pair for each point, forces that go on where the pair changes. [eq:transition]
 
 use contact_elements::abi::{Descriptor, Evaluation, Facets, OUTPUT_SIZE, code, evaluate_patch};
-use contact_elements::elements::{
+use contact_library::{
     PointBezierCurve2Oriented, PointBezierSurface2, PointLine2, PointLine2In2d, PointLine2Oriented,
     PointLine3Oriented, PointPoint, PointPointOriented, PointPointOriented2d, PointQuad4,
     PointQuad9, PointRationalCurve2Oriented, PointRationalSurface2, PointTri3, PointTri6,

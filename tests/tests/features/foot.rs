@@ -1,7 +1,7 @@
 //! The foot that an evaluation finds, from far starts and beyond the corners of a triangle.
 
 use contact_elements::abi::{Descriptor, Evaluation, OUTPUT_SIZE, code, evaluate};
-use contact_elements::elements::{Line2Line2Beams, PointLine2, PointLine3, PointTri3, PointTri6};
+use contact_library::{Line2Line2Beams, PointLine2, PointLine3, PointTri3, PointTri6};
 
 const PROJECTION: usize = 4;
 const ITERATIONS: usize = 9;

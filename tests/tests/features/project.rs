@@ -1,7 +1,7 @@
 //! Global projection: known answers where Newton's method from the centre finds another point, and what is refused.
 
 use contact_elements::abi::{Descriptor, Outcome, Projection, Query, argument, code, project};
-use contact_elements::elements::{
+use contact_library::{
     HermiteHermiteBeams, Line2Line2Beams, PointCircle2d, PointHelix, PointLine3In2d, PointQuad4,
     PointQuad4Coulomb, PointQuad9, PointSphere, PointTri3,
 };

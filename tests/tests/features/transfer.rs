@@ -3,11 +3,11 @@
 use contact_elements::abi::{
     Descriptor, Evaluation, OUTPUT_SIZE, Outcome, argument, code, evaluate, transfer,
 };
-use contact_elements::elements::{
+use contact_elements::runtime::{Status, TangentPlane};
+use contact_library::{
     Line2Line2BeamsCoulomb, Line2Line2BeamsRolling, PointHermiteCoulomb, PointLine2Coulomb2d,
     PointQuad4, PointQuad4Coulomb,
 };
-use contact_elements::runtime::{Status, TangentPlane};
 
 /// Relative: |s| is of size 1e-2 beside parameters of size 1.
 const TOLERANCE: f64 = 1e-13;

@@ -54,12 +54,16 @@ pub fn emit_geometry(geometry: &Geometry) -> TokenStream {
             #functions
             #implementation
             impl #name {
-                /// The programs of this geometry, for verification.
-                pub const PROGRAMS: GeometryPrograms = GeometryPrograms {
-                    name: #text,
-                    values: #values_table,
-                    third: #third_table,
-                    projection: #projection_table,
+                /// The programs of this geometry, for verification and for the search over its domain.
+                pub const PROGRAMS: &'static GeometryPrograms = {
+                    // a static: a constant would stand in every crate with an element of this geometry
+                    static PROGRAMS: GeometryPrograms = GeometryPrograms {
+                        name: #text,
+                        values: #values_table,
+                        third: #third_table,
+                        projection: #projection_table,
+                    };
+                    &PROGRAMS
                 };
             }
         }

@@ -130,15 +130,15 @@ impl Facts<'_> {
             Master::Point => quote! { MasterDescription::Point },
             Master::Shape(geometry) => {
                 let path = geometry_path(geometry);
-                quote! { MasterDescription::Shape(&#path::PROGRAMS) }
+                quote! { MasterDescription::Shape(#path::PROGRAMS) }
             }
             Master::Rigid { geometry, .. } => {
                 let path = geometry_path(geometry);
-                quote! { MasterDescription::Rigid(&#path::PROGRAMS) }
+                quote! { MasterDescription::Rigid(#path::PROGRAMS) }
             }
             Master::Distance { geometry, .. } => {
                 let path = geometry_path(geometry);
-                quote! { MasterDescription::Distance(&#path::PROGRAMS) }
+                quote! { MasterDescription::Distance(#path::PROGRAMS) }
             }
         }
     }
@@ -149,18 +149,18 @@ impl Facts<'_> {
             Slave::Interpolated => quote! { SlaveDescription::Interpolated },
             Slave::Projected(geometry) => {
                 let path = geometry_path(geometry);
-                quote! { SlaveDescription::Projected(&#path::PROGRAMS) }
+                quote! { SlaveDescription::Projected(#path::PROGRAMS) }
             }
             Slave::Integrated { geometry, rule } => {
                 let path = geometry_path(geometry);
                 if *rule == Rule::Given {
-                    return quote! { SlaveDescription::Given(&#path::PROGRAMS) };
+                    return quote! { SlaveDescription::Given(#path::PROGRAMS) };
                 }
                 let points = self.points.iter().map(|(point, weight)| {
                     let [first, second] = point;
                     quote! { ([#first, #second], #weight) }
                 });
-                quote! { SlaveDescription::Integrated(&#path::PROGRAMS, &[#(#points),*]) }
+                quote! { SlaveDescription::Integrated(#path::PROGRAMS, &[#(#points),*]) }
             }
         }
     }

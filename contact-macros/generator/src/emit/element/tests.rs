@@ -56,7 +56,7 @@ fn assert_golden(name: &str, text: &str) {
 
 #[test]
 fn emission_is_deterministic() {
-    for part in ["geometries", "laws", "elements"] {
+    for part in ["geometries", "laws", "elements", "elements_extended"] {
         let text = || expand_library(part).expect("the library").to_string();
         assert!(text() == text(), "{part}");
     }

@@ -1,6 +1,6 @@
 //! The Rust code of the documentation, word for word: `tests/tests/doc_links.rs` compares it with `docs/`.
 //!
-//! Run: `cargo run --release -p contact-elements --example documented`
+//! Run: `cargo run --release -p contact-library --example documented`
 
 /// `README.md`
 mod readme {
@@ -89,8 +89,8 @@ mod add_a_pair {
 
 /// `docs/how-to/lower-levels.md`
 fn lower_levels() {
-    use contact_elements::elements::PointQuad4;
     use contact_elements::runtime::{Element, Traction, Vectors};
+    use contact_library::PointQuad4;
 
     // A flat patch at z = 0 with unit tangents, the slave point 0.05 below: b = -d rho, r = slave - master.
     let vectors = Vectors::<3, 2, 3> {

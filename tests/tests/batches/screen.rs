@@ -220,12 +220,12 @@ fn check(element: &'static Descriptor) -> Tally {
             };
             let width = Width::widest();
             let (plain, flags) = raised(|| evaluate(&contacts, form, rows, width, count));
-            let maps = if form.scattered {
-                &[false, true][..]
-            } else {
-                &[false]
-            };
-            for &by_blocks in maps {
+            // elements without K have no map
+            let has_blocks = form.scattered && element.requests() & request::CSR_BY_BLOCKS != 0;
+            for by_blocks in [false, true] {
+                if by_blocks && !has_blocks {
+                    continue;
+                }
                 let screening = Form {
                     by_blocks,
                     ..screening
@@ -270,8 +270,12 @@ fn only_open_contacts_are_left_out() {
 }
 
 #[test]
-fn elements_without_a_screen_refuse_the_bit() {
+fn elements_without_a_screen_or_a_tangent_refuse_the_bit() {
     for element in ELEMENTS {
+        assert_eq!(
+            element.tangent,
+            element.requests() & request::CSR_BY_BLOCKS != 0
+        );
         assert_eq!(
             element.screen.is_some(),
             element.requests() & request::SCREEN != 0

@@ -322,6 +322,7 @@ impl<'a> Checked<'a> {
 
     /// # Safety
     /// As [`element_evaluate_batch`].
+    #[inline]
     unsafe fn parameters_of(&self, e: usize) -> Result<&'a [f64], Fault> {
         // SAFETY: promised by the caller.
         unsafe {

@@ -217,6 +217,7 @@ impl Descriptor {
     }
 
     /// Doubles of history.
+    #[inline]
     pub fn history(&self) -> usize {
         self.points * self.point_history()
     }

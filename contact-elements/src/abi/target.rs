@@ -290,6 +290,7 @@ impl Receiver for Target {
         }
     }
 
+    #[inline]
     fn coupling(&mut self, row: usize, column: usize, value: f64) {
         if !self.csr_values.is_null() {
             self.scatter(row, column, &[value]);

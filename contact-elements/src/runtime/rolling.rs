@@ -66,6 +66,7 @@ pub struct Rolling {
 }
 
 /// Anchor, path and regime that an evaluation can have written; `entry` counts from the first of them.
+#[inline]
 pub(crate) fn is_remembered(entry: usize, value: f64) -> bool {
     match entry {
         0 | 1 => abs(value) <= FARTHEST,

@@ -14,6 +14,7 @@ const LEAST_COSINE: f64 = 0.1;
 const UNIT: f64 = 1e-6;
 
 /// Whether an evaluation or a beginning can have left this.
+#[inline]
 pub(crate) fn is_side(normal: &[f64; 3]) -> bool {
     *normal == [0.0; 3] || abs(dot(normal, normal) - 1.0) <= UNIT
 }

@@ -23,6 +23,7 @@ pub enum Width {
 impl Width {
     /// The widest of this processor.
     #[cfg(target_arch = "x86_64")]
+    #[inline]
     pub fn widest() -> Self {
         use core::sync::atomic::{AtomicU8, Ordering};
         static KNOWN: AtomicU8 = AtomicU8::new(0);
@@ -40,6 +41,7 @@ impl Width {
 
     /// The widest of this processor.
     #[cfg(not(target_arch = "x86_64"))]
+    #[inline]
     pub fn widest() -> Self {
         Width::One
     }

@@ -179,7 +179,13 @@ impl Contacts {
         }
     }
 
-    /// Positions in a dense matrix of all nodes.
+    /// The scatter map from a contact on.
+    pub fn places(&self, by_blocks: bool, contact: usize) -> &[i64] {
+        let map = if by_blocks { &self.blocks } else { &self.map };
+        &map[contact * map.len() / self.count..]
+    }
+
+    /// Both scatter maps, for a dense matrix of all nodes; its rows.
     pub fn csr(&mut self) -> usize {
         let d = self.element.dimension;
         let rows = d * (self.count * (self.nodes - 1) + 1);

@@ -41,6 +41,17 @@ pub struct Form {
     pub scale: f64,
 }
 
+impl Form {
+    /// The request bit of blocks, where the form has them.
+    fn blocks(&self) -> u32 {
+        if self.by_blocks {
+            request::CSR_BY_BLOCKS
+        } else {
+            0
+        }
+    }
+}
+
 /// All outputs as bits.
 pub struct Outputs {
     pub f: Vec<f64>,
@@ -98,10 +109,7 @@ pub fn evaluate(
     // SAFETY: null pointers and zeros are defaults.
     let mut batch: Batch = unsafe { std::mem::zeroed() };
     batch.struct_size = size_of::<Batch>() as u32;
-    batch.request = form.request;
-    if form.by_blocks {
-        batch.request |= request::CSR_BY_BLOCKS;
-    }
+    batch.request = form.request | form.blocks();
     batch.parameter_count = element.parameters.len() as i32;
     batch.parameter_element_stride = if form.same_parameters {
         0
@@ -137,12 +145,7 @@ pub fn evaluate(
                 batch.global_nodes = (rows / d) as i64;
                 batch.global_f = out.f.as_mut_ptr();
                 batch.csr_values = out.k.as_mut_ptr();
-                let map = if form.by_blocks {
-                    contacts.blocks.as_ptr().add(at * n * (n + 1))
-                } else {
-                    contacts.map.as_ptr().add(at * unknowns * unknowns)
-                };
-                batch.csr_map = map;
+                batch.csr_map = contacts.places(form.by_blocks, at).as_ptr();
             } else {
                 batch.f = out.f.as_mut_ptr().add(at * unknowns);
                 batch.k = out.k.as_mut_ptr().add(at * unknowns * unknowns);

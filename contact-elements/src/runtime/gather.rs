@@ -176,20 +176,44 @@ pub(super) fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const 
     x: &mut [[f64; D]],
     reference: &mut [[f64; D]],
 ) -> Result<[f64; D], InputError> {
-    let placement: Option<Placement<D>> = E::LAYOUT
-        .placement
-        .map(|at| Placement::from_parameters(parameters.get(at..).unwrap_or(&[])));
     let rigid = E::MASTER_NODES == 0;
-    if !rigid
-        && placement.is_none()
-        && let Some(dense) = nodes.dense::<D>(x.len())
+    if rigid {
+        let placement: Option<Placement<D>> = E::LAYOUT
+            .placement
+            .map(|at| Placement::from_parameters(parameters.get(at..).unwrap_or(&[])));
+        return gather_each(nodes, (rigid, &placement), is_vector, x, reference);
+    }
+    if let Some(dense) = nodes.dense::<D>(x.len())
         && let Some(origin) = gather_dense(dense, &is_vector, x, reference)
     {
         return Ok(origin);
     }
+    gather_spread(nodes, &is_vector, x, reference)
+}
+
+/// [`gather`] of nodes that stand anywhere: a call, it would be repeated in every kernel.
+#[inline(never)]
+fn gather_spread<const D: usize>(
+    nodes: &Nodes<'_>,
+    is_vector: &dyn Fn(usize) -> bool,
+    x: &mut [[f64; D]],
+    reference: &mut [[f64; D]],
+) -> Result<[f64; D], InputError> {
+    gather_each(nodes, (false, &None), is_vector, x, reference)
+}
+
+/// [`gather`] node by node.
+#[inline(always)]
+fn gather_each<const D: usize>(
+    nodes: &Nodes<'_>,
+    (rigid, placement): (bool, &Option<Placement<D>>),
+    is_vector: impl Fn(usize) -> bool,
+    x: &mut [[f64; D]],
+    reference: &mut [[f64; D]],
+) -> Result<[f64; D], InputError> {
     nodes.check::<D>(x.len())?;
     let (mut origin, mut shift) = ([0.0; D], [0.0; D]);
-    if let Some(placement) = &placement {
+    if let Some(placement) = placement {
         origin = placement.origin;
     } else if !rigid {
         origin = nodes.reference(0)?;
@@ -223,7 +247,7 @@ pub(super) fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const 
                 };
             }
         }
-        *local = match &placement {
+        *local = match placement {
             Some(placement) => placement.vector_to_local(&value),
             None => value,
         };
@@ -231,7 +255,7 @@ pub(super) fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const 
     for k in 0..D {
         origin[k] += shift[k];
     }
-    if let Some(placement) = &placement {
+    if let Some(placement) = placement {
         origin = placement.vector_to_local(&origin);
     }
     Ok(origin)

@@ -298,11 +298,10 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
         if Width::widest() >= Width::Four {
             // compiled for the numbers of nodes that most elements have, and for any
             let kernel = match self.s.len() {
-                4 => four::<D, P, 4>,
-                5 => four::<D, P, 5>,
-                7 => four::<D, P, 7>,
-                8 => four::<D, P, 8>,
-                10 => four::<D, P, 10>,
+                4 if P > 0 => four::<D, P, 4>,
+                5 if P > 0 => four::<D, P, 5>,
+                8 if P > 0 => four::<D, P, 8>,
+                10 if P > 0 => four::<D, P, 10>,
                 _ => four::<D, P, 0>,
             };
             // SAFETY: the processor has AVX2.

@@ -45,6 +45,7 @@ boot: cdrom
 com1: enabled=1, mode=file, dev=serial.txt
 clock: sync=none
 display_library: rfb, options="timeout=0"
+sound: waveoutdrv=dummy, waveindrv=dummy, midioutdrv=dummy
 log: bochs.log
 panic: action=fatal
 error: action=ignore

@@ -34,8 +34,8 @@ module contact_elements
   ! Arguments named by errors
   integer(i4), parameter :: CTE_ARGUMENT_NONE = 0, CTE_ARGUMENT_STRUCT_SIZE = 1, CTE_ARGUMENT_REQUEST = 2
   integer(i4), parameter :: CTE_ARGUMENT_NNODE = 3, CTE_ARGUMENT_NSLAVE = 4, CTE_ARGUMENT_X = 5
-  integer(i4), parameter :: CTE_ARGUMENT_U = 6, CTE_ARGUMENT_PARAMETERS = 7, CTE_ARGUMENT_HISTORY_OLD = 8
-  integer(i4), parameter :: CTE_ARGUMENT_HISTORY_NEW = 9, CTE_ARGUMENT_SLAVE_ROW = 10, CTE_ARGUMENT_F = 11
+  integer(i4), parameter :: CTE_ARGUMENT_U = 6, CTE_ARGUMENT_PARAMETERS = 7, CTE_ARGUMENT_HISTORY_ACCEPTED = 8
+  integer(i4), parameter :: CTE_ARGUMENT_HISTORY_TRIAL = 9, CTE_ARGUMENT_SLAVE_ROW = 10, CTE_ARGUMENT_F = 11
   integer(i4), parameter :: CTE_ARGUMENT_K = 12, CTE_ARGUMENT_K_STRIDE = 13, CTE_ARGUMENT_UNKNOWN_MAP = 14
   integer(i4), parameter :: CTE_ARGUMENT_SCALE = 15, CTE_ARGUMENT_OUTPUT = 16, CTE_ARGUMENT_ENERGY = 17
   integer(i4), parameter :: CTE_ARGUMENT_WORKSPACE = 18, CTE_ARGUMENT_ELEMENT = 19, CTE_ARGUMENT_INFO = 20
@@ -123,8 +123,8 @@ module contact_elements
     integer(c_int64_t) :: x_node_stride = 0
     integer(c_int64_t) :: u_node_stride = 0
     type(c_ptr) :: parameters = c_null_ptr
-    type(c_ptr) :: hist_old = c_null_ptr
-    type(c_ptr) :: hist_new = c_null_ptr
+    type(c_ptr) :: history_accepted = c_null_ptr
+    type(c_ptr) :: history_trial = c_null_ptr
     type(c_ptr) :: slave_row = c_null_ptr
     type(c_ptr) :: f = c_null_ptr
     type(c_ptr) :: k = c_null_ptr
@@ -159,8 +159,8 @@ module contact_elements
     integer(c_int64_t) :: global_nodes = 0
     type(c_ptr) :: parameters = c_null_ptr
     integer(c_int64_t) :: parameter_element_stride = 0
-    type(c_ptr) :: hist_old = c_null_ptr
-    type(c_ptr) :: hist_new = c_null_ptr
+    type(c_ptr) :: history_accepted = c_null_ptr
+    type(c_ptr) :: history_trial = c_null_ptr
     type(c_ptr) :: slave_row = c_null_ptr
     type(c_ptr) :: f = c_null_ptr
     type(c_ptr) :: k = c_null_ptr
@@ -448,12 +448,12 @@ module contact_elements
 
     ! The Fortran 77 entries, for hosts that want their arguments checked
     subroutine cte_f77_evaluate(element, request, nnode, nslave, x, u, parameters, parameter_count, &
-        hist_old, hist_new, slave_row, f, k, ldk, output, energy, status, code) &
+        history_accepted, history_trial, slave_row, f, k, ldk, output, energy, status, code) &
         bind(c, name='cte_f77_evaluate_')
       import :: i4, dp
       integer(i4), intent(in) :: element, request, nnode, nslave, parameter_count, ldk
-      real(dp), intent(in) :: x(*), u(*), parameters(*), hist_old(*), slave_row(*)
-      real(dp), intent(inout) :: hist_new(*), f(*), k(ldk, *), output(*), energy
+      real(dp), intent(in) :: x(*), u(*), parameters(*), history_accepted(*), slave_row(*)
+      real(dp), intent(inout) :: history_trial(*), f(*), k(ldk, *), output(*), energy
       integer(i4), intent(inout) :: status, code
     end subroutine cte_f77_evaluate
 

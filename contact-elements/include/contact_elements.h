@@ -15,7 +15,7 @@
  *   Pure         no globals, allocation, I/O, threads or clock. Every function may be called from
  *                any number of threads; the same input gives the same bits.
  *   Memory       all memory is the caller's; nothing is kept after the return. Arrays are aligned for
- *                their type and do not overlap, but for hist_old and hist_new, which may be one array.
+ *                their type and do not overlap, but for history_accepted and history_trial, which may be one array.
  *   Traps        the floating-point environment is left alone. No invalid, divide-by-zero or overflow
  *                exception is raised on the way, unless a law, shape function, rigid position or closed
  *                projection of a declaration divides by zero, leaves the domain of ln, sqrt or pow or the
@@ -70,7 +70,7 @@ extern "C" {
 
 /* ------------------------------------------------------------------ arguments named by errors
  * error_index: the node for X and U (as counted in the call); the parameter for PARAMETERS; the bit number
- * for REQUEST; the entry for HISTORY_OLD, SLAVE_ROW, UNKNOWN_MAP and CONNECTIVITY; 0 for the others. With
+ * for REQUEST; the entry for HISTORY_ACCEPTED, SLAVE_ROW, UNKNOWN_MAP and CONNECTIVITY; 0 for the others. With
  * CTE_CUT_BACK it is the contact point of cte_arguments, the contact of cte_batch. */
 #define CTE_ARGUMENT_NONE 0
 #define CTE_ARGUMENT_STRUCT_SIZE 1
@@ -80,8 +80,8 @@ extern "C" {
 #define CTE_ARGUMENT_X 5
 #define CTE_ARGUMENT_U 6
 #define CTE_ARGUMENT_PARAMETERS 7
-#define CTE_ARGUMENT_HISTORY_OLD 8
-#define CTE_ARGUMENT_HISTORY_NEW 9
+#define CTE_ARGUMENT_HISTORY_ACCEPTED 8
+#define CTE_ARGUMENT_HISTORY_TRIAL 9
 #define CTE_ARGUMENT_SLAVE_ROW 10
 #define CTE_ARGUMENT_F 11
 #define CTE_ARGUMENT_K 12
@@ -116,20 +116,20 @@ extern "C" {
 /* ------------------------------------------------------------------ what is wanted: request bits */
 #define CTE_RESIDUAL 1u        /* write f */
 #define CTE_TANGENT 2u         /* write k */
-#define CTE_HISTORY 4u         /* write hist_new */
+#define CTE_HISTORY 4u         /* write history_trial */
 #define CTE_OUTPUT 8u          /* write output */
 #define CTE_ENERGY 16u         /* write energy (elements whose law declares W) */
-#define CTE_FREEZE_STATE 32u   /* status CLOSED, STICK or SLIP in hist_old: in contact, any other: open, whatever
+#define CTE_FREEZE_STATE 32u   /* status CLOSED, STICK or SLIP in history_accepted: in contact, any other: open, whatever
                                 * the gap (line search); a projection outside stays outside. With friction STICK
                                 * sticks and SLIP slides, whatever the bound; without slip or bound, and after
                                 * CLOSED, the law decides. With rolling each curve rolls or not as the regime
-                                * in hist_old says. Needs hist_old. */
+                                * in history_accepted says. Needs history_accepted. */
 #define CTE_SYMMETRISE 64u     /* write (K + K^T)/2; with friction no longer the exact tangent */
-#define CTE_PROJECTION_GIVEN 128u /* hist_old holds the projection itself: no iteration. Needs hist_old. */
+#define CTE_PROJECTION_GIVEN 128u /* history_accepted holds the projection itself: no iteration. Needs history_accepted. */
 #define CTE_SCREEN 256u /* batches: a contact that is open wherever on its facet the projection lies need not be
                          * projected. Nothing changes but what is known of such a contact: status OPEN, also where
                          * the projection lies outside or fails; in output a lower bound of the gap, the projection
-                         * as in hist_old (without: the middle) and zeros; in hist_new status OPEN and that
+                         * as in history_accepted (without: the middle) and zeros; in history_trial status OPEN and that
                          * projection; its history is not looked at unless asked for. How many are left out depends
                          * on the processor. No effect on one call, with CTE_FREEZE_STATE or CTE_PROJECTION_GIVEN.
                          * Points against segments in 2D, flat triangles and bilinear facets, penalty */
@@ -204,27 +204,27 @@ extern "C" {
  *                              curves roll, 0 none, 1 the slave's, 2 the master's, 3 both
  *   edges             three more: the unit normal (two curves with a signed gap)
  *   augmented         one more at the end: the multiplier [as N], never positive
- * hist_old is the accepted state: the last converged step. hist_new is a trial; no evaluation reads it. When the
- * step is accepted the host copies hist_new over hist_old, all of it; when it is cut back the host drops hist_new.
+ * history_accepted is the accepted state: the last converged step. history_trial is a trial; no evaluation reads it. When the
+ * step is accepted the host copies history_trial over history_accepted, all of it; when it is cut back the host drops history_trial.
  *
  * Friction. The slip s = sum_i b_i (projection - anchor)^i of the accepted anchor gives the force: elastic while
- * it sticks, at its bound while it slides. Where contact begins (status open or outside in hist_old, or
- * hist_old null) the anchor is the projection: T = 0 and no tangential stiffness in this step, which alone
+ * it sticks, at its bound while it slides. Where contact begins (status open or outside in history_accepted, or
+ * history_accepted null) the anchor is the projection: T = 0 and no tangential stiffness in this step, which alone
  * would let a body float; the next accepted step holds it. While sticking the anchor stays; on sliding
- * hist_new has the anchor from which the force is elastic again, and the slip path has grown by what slid.
- * The force is a function of the displacements at the end of the step and of hist_old, not of the path of the
+ * history_trial has the anchor from which the force is elastic again, and the slip path has grown by what slid.
+ * The force is a function of the displacements at the end of the step and of history_accepted, not of the path of the
  * iterations. K is its derivative and is not symmetric (cte_info.symmetric 0): a host needs a solver for general
  * matrices. The element's energy is W + sum t_q^2/(2 e_q) (with rolling + sum M_c^2/(2 eps_phi)), what is stored: with friction f is not its derivative,
  * so a line search has to look at f. A step that reverses the slip begins at the bound, where rounding decides
  * between stick and slip: a first iteration with CTE_FREEZE_STATE and STICK in the place of SLIP in a copy of
- * hist_old takes the elastic tangent. When the projection passes to a neighbouring element:
+ * history_accepted takes the elastic tangent. When the projection passes to a neighbouring element:
  * cte_history_transfer.
  *
  * Edges of solids (two curves with a signed gap). The normal is the unit vector along +-b_1 x b_2. On which side the
  * edges are is part of the history: the sign that keeps the remembered normal, also where b_1 x b_2 turns about because
  * the edges turned through parallel. So edges that have crossed are closed with a negative gap, not open on the other
  * side. Nothing remembered (cte_element_history_init): the parameter orientation, +1 or -1; with 0 the side on which
- * they are, gap + r0 >= 0, which supposes that they begin apart (CTE_ERROR_NULL without hist_old). Beyond an end the
+ * they are, gap + r0 >= 0, which supposes that they begin apart (CTE_ERROR_NULL without history_accepted). Beyond an end the
  * side is that of gap + r0 >= 0. A normal that turns by 84 degrees and more between two accepted states is refused
  * (CTE_STATUS_NOT_UNIQUE) up to 96 degrees; beyond, the side is lost: smaller steps.
  *
@@ -239,7 +239,7 @@ extern "C" {
  *
  * Multipliers, c = N' of the law, a linear spring. The point is closed where N = multiplier + c g < 0, and this N
  * is the traction everywhere (output, bound of friction, energy).
- *   augmented   the multiplier of hist_old is fixed during an evaluation; hist_new holds N (0 where open). Uzawa's
+ *   augmented   the multiplier of history_accepted is fixed during an evaluation; history_trial holds N (0 where open). Uzawa's
  *               iteration: solve, cte_history_augment, solve again ... until the gaps are small, then accept. A
  *               host that only accepts makes one iteration per step.
  *   unknown     one node per contact point behind all others, with one unknown. Its residual is weight * g where
@@ -290,15 +290,15 @@ typedef struct cte_arguments {
   double dt;               /* not used */
   const double *x;         /* reference coordinates [node][component] [length] */
   const double *u;         /* displacements at the end of the step, same shape; null: zero */
-  const double *u_old;     /* at its start; null allowed; not used: what friction remembers is in hist_old */
+  const double *u_old;     /* at its start; null allowed; not used: what friction remembers is in history_accepted */
   const double *v;         /* velocities; null allowed; not used */
   int64_t x_node_stride;   /* doubles from node to node in x, at least dimension; 0: dimension */
   int64_t u_node_stride;   /* the same in u, u_old, v; 0: dimension */
   const double *parameters;
-  const double *hist_old;  /* accepted history; null: the projection starts from the centre, and contact with
+  const double *history_accepted;  /* accepted history; null: the projection starts from the centre, and contact with
                             * friction begins here (CTE_ERROR_NULL with CTE_FREEZE_STATE or
                             * CTE_PROJECTION_GIVEN, and for edges with orientation 0) */
-  double *hist_new;        /* trial history; may be the same array as hist_old */
+  double *history_trial;        /* trial history; may be the same array as history_accepted */
   const double *slave_row; /* interpolated slaves: shape functions of the slave point [nslave], then its weight */
   double *f;               /* residual; entry i goes to f[unknown_map ? unknown_map[i] : i] */
   double *k;               /* tangent; entry (i,j) goes to k[row(i)*k_row_stride + row(j)*k_col_stride] */
@@ -331,7 +331,7 @@ typedef struct cte_arguments {
  * The contacts are evaluated one after the other in order, so sums are reproducible, with the same bits as
  * by cte_element_evaluate.
  * A fault of one contact (values, parameters, state) fails that contact alone: its code says why
- * (cte_code_message), its own slots of f, k, hist_new, output and energy are not written and nothing of it
+ * (cte_code_message), its own slots of f, k, history_trial, output and energy are not written and nothing of it
  * is added; the others are valid and the batch returns CTE_CUT_BACK. A fault of the batch (< 0: pointers,
  * counts, strides, connectivity, workspace) leaves everything unwritten. n = 0 is fine, with any pointers. */
 typedef struct cte_batch {
@@ -347,8 +347,8 @@ typedef struct cte_batch {
   int64_t global_nodes;        /* with connectivity: nodes in x and u, for checking */
   const double *parameters;
   int64_t parameter_element_stride; /* 0: one set for all; else at least parameter_count */
-  const double *hist_old;      /* [n][history], null allowed */
-  double *hist_new;            /* [n][history] */
+  const double *history_accepted;      /* [n][history], null allowed */
+  double *history_trial;            /* [n][history] */
   const double *slave_row;     /* [n][nslave + 1] */
   double *f;                   /* [n][unknowns], null allowed when global_f is given */
   double *k;                   /* [n][unknowns][unknowns] row-major, null allowed when csr_values is given */
@@ -408,7 +408,7 @@ typedef struct cte_projection {
  * vertex is -|r| - r0, outside and at the rim of the patch |r| - r0.
  *
  * In cte_arguments: nnode (0 or all), x, u [slave_points + master_nodes] nodes, slave points first; parameters: those
- * of the facet (law, r0, orientation), then for rational facets a weight per master node; hist_old may be null;
+ * of the facet (law, r0, orientation), then for rational facets a weight per master node; history_accepted may be null;
  * f, k, unknown_map: of all nodes; output: one row per slave point, projection and feature those on the facet;
  * workspace: cte_info.workspace. Request bits: cte_info.requests. FREEZE_STATE keeps open and closed, not the pair.
  * History, 5 entries per slave point: status, number of the facet from 1 (0: none), feature, two parameters; all 0 to
@@ -484,12 +484,12 @@ int32_t cte_history_transfer(const cte_element *from, const double *from_output,
                              const cte_element *to, const double *to_output, double *to_history, int32_t *argument);
 
 /* One step of Uzawa's iteration, all contact points of an element:
- *   trial     hist_new of the converged evaluation with hist_old = accepted
+ *   trial     history_trial of the converged evaluation with history_accepted = accepted
  *   accepted  in: the state at the start of the step; out: with the multipliers of trial and, where the point was and
  *             is in contact with friction, the anchor from which the tangential force of trial is there at no slip
  *             in this step. Status, projection and slip path stay those of the start of the step.
- * Then solve the step again with accepted as hist_old. argument (may be null): CTE_ARGUMENT_ELEMENT, HISTORY_NEW
- * (trial), HISTORY_OLD (accepted), or NONE with 0. CTE_ERROR_NULL, CTE_ERROR_NOT_FINITE, CTE_ERROR_HISTORY,
+ * Then solve the step again with accepted as history_accepted. argument (may be null): CTE_ARGUMENT_ELEMENT, HISTORY_TRIAL
+ * (trial), HISTORY_ACCEPTED (accepted), or NONE with 0. CTE_ERROR_NULL, CTE_ERROR_NOT_FINITE, CTE_ERROR_HISTORY,
  * CTE_ERROR_ELEMENT: the history has no multiplier. On anything but 0 accepted is as it was. */
 int32_t cte_history_augment(const cte_element *element, const double *trial, double *accepted, int32_t *argument);
 
@@ -497,7 +497,7 @@ int32_t cte_history_augment(const cte_element *element, const double *trial, dou
  * the result is certified: boxes of parameters are excluded by interval arithmetic until one point is left. Read are
  * nnode, nslave, x, u and their strides, parameters and slave_row of *arguments; written are its error_argument and
  * error_index. reach: nothing farther is looked for [length]; 0: no limit. result: [points]. history: null, or the
- * element's history, which then is the initial one at these projections (hist_old of a first evaluation, which from
+ * element's history, which then is the initial one at these projections (history_accepted of a first evaluation, which from
  * there takes 1 to 3 Newton steps). Costs some thousand times an evaluation: for starts and lost contacts.
  * 0; CTE_ERROR_NULL, _STRUCT_SIZE, _NODE_COUNT, _PARAMETER, _NOT_FINITE (x, u, slave_row; reach: also below 0),
  * _STRIDE; CTE_ERROR_ELEMENT: a geometry of more than 32 nodes or 2048 operations. On errors found before the first
@@ -606,10 +606,10 @@ int32_t cte_api(uint32_t major, cte_api_table *table);
  * element's index; contact_elements.inc has it and the request bits as PARAMETERs, and the order of the
  * parameters. Integers are INTEGER*4, reals REAL*8.
  *
- *   CALL CTE_F77_EVALUATE(ELEMENT, REQUEST, NNODE, NSLAVE, X, U, PARAMS, NPARAMS, HISOLD, HISNEW,
+ *   CALL CTE_F77_EVALUATE(ELEMENT, REQUEST, NNODE, NSLAVE, X, U, PARAMS, NPARAMS, HISACC, HISTRI,
  *  1                      SROW, F, K, LDK, OUT, ENERGY, STATUS, CODE)
  *   X(dim,NNODE), U(dim,NNODE), K(LDK,*) column-major. Arrays that the request does not need are not touched.
- *   HISOLD must hold a history: of CTE_F77_HISTORY_INIT or of an earlier evaluation.
+ *   HISACC must hold a history: of CTE_F77_HISTORY_INIT or of an earlier evaluation.
  *   For interpolated slaves up to 64 slave nodes (more: CTE_ERROR_WORKSPACE); more need the module.
  *   CODE is CTE_ERROR_INDEX for an index that no element has.
  *   CALL CTE_F77_INFO(ELEMENT, NNODE, ISIZES)  ISIZES(1..8) = dimension, nodes_minimum, unknowns,
@@ -622,7 +622,7 @@ int32_t cte_api(uint32_t major, cte_api_table *table);
  */
 void cte_f77_evaluate_(const int32_t *element, const int32_t *request, const int32_t *nnode, const int32_t *nslave,
                        const double *x, const double *u, const double *parameters, const int32_t *parameter_count,
-                       const double *hist_old, double *hist_new, const double *slave_row, double *f, double *k,
+                       const double *history_accepted, double *history_trial, const double *slave_row, double *f, double *k,
                        const int32_t *ldk, double *output, double *energy, int32_t *status, int32_t *code);
 void cte_f77_info_(const int32_t *element, const int32_t *nnode, int32_t *sizes);
 void cte_f77_history_init_(const int32_t *element, double *history, int32_t *code);

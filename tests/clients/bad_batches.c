@@ -10,7 +10,7 @@ enum { CONTACTS = 2, NODES = 6, ROWS = 3 * NODES, UNKNOWNS = 15, ENTRIES = ROWS 
 /* The arrays a batch writes. */
 typedef struct batch_outputs {
   double f[CONTACTS * UNKNOWNS], k[CONTACTS * UNKNOWNS * UNKNOWNS];
-  double hist_new[CONTACTS * ROOM_HISTORY], output[CONTACTS * CTE_OUTPUT_SIZE], energy[CONTACTS];
+  double history_trial[CONTACTS * ROOM_HISTORY], output[CONTACTS * CTE_OUTPUT_SIZE], energy[CONTACTS];
   double global_f[ROWS], csr_values[ENTRIES];
   int32_t status[CONTACTS], code[CONTACTS];
 } batch_outputs;
@@ -18,7 +18,7 @@ typedef struct batch_outputs {
 static bench b;
 static cte_batch batch;
 static batch_outputs out;
-static double x[ROWS], u[ROWS], hist_old[CONTACTS * ROOM_HISTORY];
+static double x[ROWS], u[ROWS], history_accepted[CONTACTS * ROOM_HISTORY];
 static int32_t connectivity[CONTACTS * 5];
 static int64_t row_start[ROWS + 1], map[CONTACTS * UNKNOWNS * UNKNOWNS];
 static int32_t column[ENTRIES];
@@ -32,7 +32,7 @@ static void lay_out(void)
   memcpy(x, b.x, 3 * sizeof x[0]);
   x[0] += 0.1;
   memset(u, 0, sizeof u);
-  memset(hist_old, 0, sizeof hist_old);
+  memset(history_accepted, 0, sizeof history_accepted);
   for (int i = 0; i <= ROWS; i++)
     row_start[i] = i * ROWS;
   for (int i = 0; i < ENTRIES; i++)
@@ -51,8 +51,8 @@ static void fresh(void)
   batch.connectivity = connectivity;
   batch.global_nodes = NODES;
   batch.parameters = b.parameters;
-  batch.hist_old = hist_old;
-  batch.hist_new = out.hist_new;
+  batch.history_accepted = history_accepted;
+  batch.history_trial = out.history_trial;
   batch.f = out.f;
   batch.k = out.k;
   batch.global_f = out.global_f;
@@ -119,8 +119,8 @@ static void null_pointers(void)
   batch.request |= CTE_CSR_BY_BLOCKS;
   expect("batch: csr_map of blocks null", CTE_ERROR_NULL, CTE_ARGUMENT_CSR);
   fresh();
-  batch.hist_new = NULL;
-  expect("batch: hist_new null", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_NEW);
+  batch.history_trial = NULL;
+  expect("batch: history_trial null", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_TRIAL);
   fresh();
   batch.output = NULL;
   expect("batch: output null", CTE_ERROR_NULL, CTE_ARGUMENT_OUTPUT);

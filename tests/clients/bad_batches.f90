@@ -12,7 +12,7 @@ module bad_batches
   ! The arrays a batch writes.
   type :: batch_outputs
     real(dp) :: f(contacts*unknowns), k(contacts*unknowns**2)
-    real(dp) :: hist_new(contacts*room_history), output(contacts*CTE_OUTPUT_SIZE), energy(contacts)
+    real(dp) :: history_trial(contacts*room_history), output(contacts*CTE_OUTPUT_SIZE), energy(contacts)
     real(dp) :: global_f(rows), csr_values(entries)
     integer(i4) :: status(contacts), code(contacts)
   end type batch_outputs
@@ -21,7 +21,7 @@ module bad_batches
   type(cte_batch), save :: batch
   type(batch_outputs), save, target :: out
   type(batch_outputs), save :: before_out
-  real(dp), save, target :: x(rows), u(rows), hist_old(contacts*room_history)
+  real(dp), save, target :: x(rows), u(rows), history_accepted(contacts*room_history)
   integer(i4), save, target :: connectivity(contacts*5), column(entries)
   integer(i8), save, target :: row_start(rows + 1), map(contacts*unknowns**2)
 
@@ -35,7 +35,7 @@ contains
     x(:3) = b%x(:3)
     x(1) = x(1) + 0.1_dp
     u = 0
-    hist_old = 0
+    history_accepted = 0
     row_start = [(int(i*rows, i8), i=0, rows)]
     column = [(int(mod(i, rows), i4), i=0, entries - 1)]
   end subroutine lay_out
@@ -52,8 +52,8 @@ contains
     batch%connectivity = c_loc(connectivity)
     batch%global_nodes = nodes
     batch%parameters = c_loc(b%parameters)
-    batch%hist_old = c_loc(hist_old)
-    batch%hist_new = c_loc(out%hist_new)
+    batch%history_accepted = c_loc(history_accepted)
+    batch%history_trial = c_loc(out%history_trial)
     batch%f = c_loc(out%f)
     batch%k = c_loc(out%k)
     batch%global_f = c_loc(out%global_f)
@@ -67,7 +67,7 @@ contains
     batch%workspace_size = cte_element_batch_workspace(b%element, 0)
     out%f = canary()
     out%k = canary()
-    out%hist_new = canary()
+    out%history_trial = canary()
     out%output = canary()
     out%energy = canary()
     out%global_f = canary()
@@ -134,8 +134,8 @@ contains
     batch%request = batch%request + CTE_CSR_BY_BLOCKS
     call expect('batch: csr_map of blocks null', CTE_ERROR_NULL, CTE_ARGUMENT_CSR)
     call fresh()
-    batch%hist_new = c_null_ptr
-    call expect('batch: hist_new null', CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_NEW)
+    batch%history_trial = c_null_ptr
+    call expect('batch: history_trial null', CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_TRIAL)
     call fresh()
     batch%output = c_null_ptr
     call expect('batch: output null', CTE_ERROR_NULL, CTE_ARGUMENT_OUTPUT)

@@ -153,8 +153,8 @@ static int32_t evaluate_77(int32_t element, int32_t request, int32_t nnode, int3
   const int32_t nslave = 0;
   int32_t status = UNTOUCHED, code = UNTOUCHED;
   bench_canary(&b);
-  cte_f77_evaluate_(&element, &request, &nnode, &nslave, b.x, b.u, b.parameters, &b.info.parameters, b.hist_old,
-                    b.out.hist_new, b.row, b.out.f, b.out.k, &ldk, b.out.output, b.out.energy, &status, &code);
+  cte_f77_evaluate_(&element, &request, &nnode, &nslave, b.x, b.u, b.parameters, &b.info.parameters, b.history_accepted,
+                    b.out.history_trial, b.row, b.out.f, b.out.k, &ldk, b.out.output, b.out.energy, &status, &code);
   return code;
 }
 

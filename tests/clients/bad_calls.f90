@@ -287,8 +287,8 @@ contains
     status = untouched
     code = untouched
     call bench_canary(b)
-    call cte_f77_evaluate(element, request, nnode, 0_i4, b%x, b%u, b%parameters, b%info%parameters, b%hist_old, &
-      b%out%hist_new, b%row, b%out%f, b%out%k, ldk, b%out%output, b%out%energy(1), status, code)
+    call cte_f77_evaluate(element, request, nnode, 0_i4, b%x, b%u, b%parameters, b%info%parameters, b%history_accepted, &
+      b%out%history_trial, b%row, b%out%f, b%out%k, ldk, b%out%output, b%out%energy(1), status, code)
     if (.not. bench_untouched(b)) code = -1000
   end function evaluate_77
 

@@ -45,7 +45,7 @@ static int clean(void)
   for (int i = 0; i < b.info.unknowns * b.info.unknowns; i++)
     finite &= isfinite(b.out.k[i]) != 0;
   for (int i = 0; i < b.info.history; i++)
-    finite &= isfinite(b.out.hist_new[i]) != 0;
+    finite &= isfinite(b.out.history_trial[i]) != 0;
   for (int i = 0; i < b.info.points * CTE_OUTPUT_SIZE; i++)
     finite &= isfinite(b.out.output[i]) != 0;
   return finite && isfinite(b.out.energy[0]);
@@ -56,7 +56,7 @@ static int accepted(bench *any, const char *name)
 {
   if (!bench_open(any, name) || bench_evaluate(any) != CTE_SUCCESS)
     return 0;
-  memcpy(any->hist_old, any->out.hist_new, (size_t)any->info.history * sizeof any->hist_old[0]);
+  memcpy(any->history_accepted, any->out.history_trial, (size_t)any->info.history * sizeof any->history_accepted[0]);
   return 1;
 }
 
@@ -81,8 +81,8 @@ static void parameters(void)
                "friction, stiffnesses whose quotient is no number");
   bench_open(&b, "PointQuad4Orthotropic");
   bench_set(&b, "eps_n", 1e-190);
-  b.hist_old[0] = CTE_STATUS_STICK;
-  b.hist_old[3] = b.hist_old[1] + 0.25;
+  b.history_accepted[0] = CTE_STATUS_STICK;
+  b.history_accepted[3] = b.history_accepted[1] + 0.25;
   client_check(bench_evaluate(&b) == CTE_SUCCESS && b.a.status == CTE_STATUS_SLIP, "friction, next to no pressure");
 }
 
@@ -93,34 +93,34 @@ static void histories(void)
     client_check(0, "an accepted contact with friction");
   for (int entry = 0; entry < HISTORY; entry++)
     for (int special = 0; special < CLIENT_SPECIALS; special++) {
-      const double kept = b.hist_old[entry];
-      client_special(special, &b.hist_old[entry]);
+      const double kept = b.history_accepted[entry];
+      client_special(special, &b.history_accepted[entry]);
       expect(client_text("friction, no number in the history, entry", entry), CTE_ERROR_NOT_FINITE,
-             CTE_ARGUMENT_HISTORY_OLD, entry);
-      b.hist_old[entry] = kept;
+             CTE_ARGUMENT_HISTORY_ACCEPTED, entry);
+      b.history_accepted[entry] = kept;
     }
-  const double status = b.hist_old[0];
+  const double status = b.history_accepted[0];
   for (int i = 0; i < 4; i++) {
-    b.hist_old[0] = no_status[i];
-    expect(client_text("history: no status", i), CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 0);
+    b.history_accepted[0] = no_status[i];
+    expect(client_text("history: no status", i), CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 0);
   }
-  b.hist_old[0] = status;
-  b.hist_old[PATH] = -1e-300;
-  expect("history: negative slip path", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, PATH);
-  b.hist_old[PATH] = 0.0;
+  b.history_accepted[0] = status;
+  b.history_accepted[PATH] = -1e-300;
+  expect("history: negative slip path", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, PATH);
+  b.history_accepted[PATH] = 0.0;
   for (int i = 0; i < 2; i++) {
-    const double anchor = b.hist_old[ANCHOR + i];
-    b.hist_old[ANCHOR + i] = i == 0 ? 1e5 : -1e5;
-    expect(client_text("history: an anchor far outside", i), CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, ANCHOR + i);
-    b.hist_old[ANCHOR + i] = 1000.0; /* 500 facets away */
+    const double anchor = b.history_accepted[ANCHOR + i];
+    b.history_accepted[ANCHOR + i] = i == 0 ? 1e5 : -1e5;
+    expect(client_text("history: an anchor far outside", i), CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, ANCHOR + i);
+    b.history_accepted[ANCHOR + i] = 1000.0; /* 500 facets away */
     client_check(clean() && b.a.status == CTE_STATUS_SLIP, client_text("history: an anchor outside", i));
-    b.hist_old[ANCHOR + i] = anchor;
+    b.history_accepted[ANCHOR + i] = anchor;
   }
   accepted(&b, "PointQuad4");
-  b.hist_old[0] = 9.0;
+  b.history_accepted[0] = 9.0;
   client_check(clean(), "without friction any number is a status: it is open");
-  b.hist_old[1] = -1e30;
-  expect("history: a projection far outside", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 1);
+  b.history_accepted[1] = -1e30;
+  expect("history: a projection far outside", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 1);
 }
 
 /* Two contacts, the second with a bad history: it fails alone. */
@@ -136,7 +136,7 @@ static void in_a_batch(void)
   memcpy(&untouched, &f[1][0], sizeof untouched);
   for (int e = 0; e < 2; e++) {
     memcpy(x[e], b.x, sizeof x[e]);
-    memcpy(history[e], b.hist_old, sizeof history[e]);
+    memcpy(history[e], b.history_accepted, sizeof history[e]);
   }
   history[1][PATH] = -1.0;
   batch.struct_size = sizeof batch;
@@ -144,12 +144,12 @@ static void in_a_batch(void)
   batch.parameter_count = b.info.parameters;
   batch.x = x[0];
   batch.parameters = b.parameters;
-  batch.hist_old = history[0];
+  batch.history_accepted = history[0];
   batch.f = f[0];
   batch.status = status;
   batch.code = code;
   const int32_t found = cte_element_evaluate_batch(b.element, 2, &batch);
-  client_check(found == CTE_CUT_BACK && batch.failed == 1 && batch.error_argument == CTE_ARGUMENT_HISTORY_OLD &&
+  client_check(found == CTE_CUT_BACK && batch.failed == 1 && batch.error_argument == CTE_ARGUMENT_HISTORY_ACCEPTED &&
                    batch.error_index == 1 && code[0] == CTE_SUCCESS && code[1] == CTE_ERROR_HISTORY &&
                    client_same(&f[1][0], &untouched, 1),
                "batch: a bad history fails alone");
@@ -196,7 +196,7 @@ static void scales(void)
       pass &= accepted(&b, name[e]);
       for (int j = 0; j < ROOM_UNKNOWNS; j++)
         b.x[j] *= scale[i];
-      b.hist_old[ANCHOR] += 0.3;
+      b.history_accepted[ANCHOR] += 0.3;
       pass &= clean();
     }
     client_check(pass, name[e]);
@@ -208,10 +208,10 @@ static int refused(int32_t code, int32_t argument)
 {
   double before[HISTORY];
   int32_t named = UNTOUCHED;
-  memcpy(before, next.out.hist_new, sizeof before);
-  const int32_t found = cte_history_transfer(b.element, b.out.output, b.out.hist_new, next.element, next.out.output,
-                                             next.out.hist_new, &named);
-  const int pass = found == code && named == argument && memcmp(before, next.out.hist_new, sizeof before) == 0;
+  memcpy(before, next.out.history_trial, sizeof before);
+  const int32_t found = cte_history_transfer(b.element, b.out.output, b.out.history_trial, next.element, next.out.output,
+                                             next.out.history_trial, &named);
+  const int pass = found == code && named == argument && memcmp(before, next.out.history_trial, sizeof before) == 0;
   if (!pass)
     printf("     code %d wanted %d, argument %d wanted %d\n", (int)found, (int)code, (int)named, (int)argument);
   return pass;
@@ -231,10 +231,10 @@ static void sound(const char *from, const char *to)
 static void transfer_null(void)
 {
   const char *const facet = "PointQuad4Coulomb";
-  double *const history = next.out.hist_new;
+  double *const history = next.out.history_trial;
   int32_t named[6];
   sound(facet, facet);
-  const double *old = b.out.hist_new, *out = b.out.output, kept = history[ANCHOR];
+  const double *old = b.out.history_trial, *out = b.out.output, kept = history[ANCHOR];
   int pass = cte_history_transfer(NULL, out, old, next.element, out, history, &named[0]) == CTE_ERROR_NULL &&
              cte_history_transfer(b.element, NULL, old, next.element, out, history, &named[1]) == CTE_ERROR_NULL &&
              cte_history_transfer(b.element, out, NULL, next.element, out, history, &named[2]) == CTE_ERROR_NULL &&
@@ -251,7 +251,7 @@ static void transfer_null(void)
 static void transfer_values(void)
 {
   const char *const facet = "PointQuad4Coulomb";
-  static double *const array[4] = {b.out.output, b.out.hist_new, next.out.output, next.out.hist_new};
+  static double *const array[4] = {b.out.output, b.out.history_trial, next.out.output, next.out.history_trial};
   static const int32_t name[4] = {CTE_ARGUMENT_FROM_OUTPUT, CTE_ARGUMENT_FROM_HISTORY, CTE_ARGUMENT_TO_OUTPUT,
                                   CTE_ARGUMENT_TO_HISTORY};
   for (int i = 0; i < 4; i++) {
@@ -264,16 +264,16 @@ static void transfer_values(void)
     client_check(pass, client_text("transfer: no number in array", i));
   }
   sound(facet, facet);
-  b.out.hist_new[0] = 2.5;
+  b.out.history_trial[0] = 2.5;
   client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_FROM_HISTORY), "transfer: no status");
   sound(facet, facet);
-  b.out.hist_new[PATH] = -1.0;
+  b.out.history_trial[PATH] = -1.0;
   client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_FROM_HISTORY), "transfer: negative slip path");
   sound(facet, facet);
   b.out.output[CTE_OUTPUT_PROJECTION] += 0.01;
   client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_FROM_HISTORY), "transfer: output of another state");
   sound(facet, facet);
-  next.out.hist_new[2] -= 0.01;
+  next.out.history_trial[2] -= 0.01;
   client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_TO_HISTORY), "transfer: new history of another state");
 }
 
@@ -290,7 +290,7 @@ static void transfer_elements(void)
   bench_index(&next, index, 0);
   client_check(refused(CTE_ERROR_ELEMENT, CTE_ARGUMENT_TO), "transfer: from 3D to 2D");
   index = cte_element_count();
-  cte_f77_history_transfer_(&index, b.out.output, b.out.hist_new, &index, next.out.output, next.out.hist_new, &named,
+  cte_f77_history_transfer_(&index, b.out.output, b.out.history_trial, &index, next.out.output, next.out.history_trial, &named,
                             &code);
   client_check(code == CTE_ERROR_INDEX && named == CTE_ARGUMENT_FROM, "F77 transfer, element out of range");
 }
@@ -320,7 +320,7 @@ static void transfer_planes(void)
     new_tangents[k] *= 1e-29;
   for (int k = 0; k < 6; k++)
     tangents[k] = k == 1 || k == 3 ? 1e29 : 0.0;
-  b.out.hist_new[ANCHOR] = -1e29;
+  b.out.history_trial[ANCHOR] = -1e29;
   client_check(refused(CTE_CUT_BACK, CTE_ARGUMENT_TO_OUTPUT), "transfer: an anchor beyond 1e30");
 }
 

@@ -59,7 +59,7 @@ contains
     n = b%info%unknowns
     if (bench_evaluate(b) == CTE_SUCCESS) then
       pass = all(ieee_is_finite(b%out%f(:n))) .and. all(ieee_is_finite(b%out%k(:n*n))) &
-        .and. all(ieee_is_finite(b%out%hist_new(:b%info%history))) .and. ieee_is_finite(b%out%energy(1)) &
+        .and. all(ieee_is_finite(b%out%history_trial(:b%info%history))) .and. ieee_is_finite(b%out%energy(1)) &
         .and. all(ieee_is_finite(b%out%output(:b%info%points*CTE_OUTPUT_SIZE)))
     else
       pass = bench_untouched(b)
@@ -81,7 +81,7 @@ contains
     logical :: pass
     call bench_open(any_bench, name)
     pass = bench_evaluate(any_bench) == CTE_SUCCESS
-    any_bench%hist_old(:any_bench%info%history) = any_bench%out%hist_new(:any_bench%info%history)
+    any_bench%history_accepted(:any_bench%info%history) = any_bench%out%history_trial(:any_bench%info%history)
   end function accepted
 
   subroutine parameters()
@@ -108,8 +108,8 @@ contains
       'friction, stiffnesses whose quotient is no number')
     call bench_open(b, 'PointQuad4Orthotropic')
     b%parameters(bench_parameter(b, 'eps_n') + 1) = 1e-190_dp
-    b%hist_old(1) = CTE_STATUS_STICK
-    b%hist_old(4) = b%hist_old(2) + 0.25_dp
+    b%history_accepted(1) = CTE_STATUS_STICK
+    b%history_accepted(4) = b%history_accepted(2) + 0.25_dp
     found = bench_evaluate(b)
     call client_check(found == CTE_SUCCESS .and. b%a%status == CTE_STATUS_SLIP, 'friction, next to no pressure')
   end subroutine parameters
@@ -119,13 +119,13 @@ contains
     integer :: entry, special
     if (.not. accepted(b, facet)) call client_check(.false., 'an accepted contact with friction')
     do entry = 0, history_size - 1
-      kept = b%hist_old(entry + 1)
+      kept = b%history_accepted(entry + 1)
       do special = 1, client_specials
-        call client_special(special, b%hist_old(entry + 1))
+        call client_special(special, b%history_accepted(entry + 1))
         call expect(client_text('friction, no number in the history, entry', int(entry, i8)), CTE_ERROR_NOT_FINITE, &
-          CTE_ARGUMENT_HISTORY_OLD, entry)
+          CTE_ARGUMENT_HISTORY_ACCEPTED, entry)
       end do
-      b%hist_old(entry + 1) = kept
+      b%history_accepted(entry + 1) = kept
     end do
   end subroutine not_finite
 
@@ -133,28 +133,28 @@ contains
     real(dp), parameter :: no_status(4) = [-1.0_dp, 9.0_dp, 2.5_dp, 1e30_dp]
     real(dp) :: kept
     integer :: i
-    kept = b%hist_old(1)
+    kept = b%history_accepted(1)
     do i = 1, 4
-      b%hist_old(1) = no_status(i)
-      call expect(client_text('history: no status', i - 1_i8), CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 0)
+      b%history_accepted(1) = no_status(i)
+      call expect(client_text('history: no status', i - 1_i8), CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 0)
     end do
-    b%hist_old(1) = kept
-    b%hist_old(path_at) = -1e-300_dp
-    call expect('history: negative slip path', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, path_at - 1)
-    b%hist_old(path_at) = 0
+    b%history_accepted(1) = kept
+    b%history_accepted(path_at) = -1e-300_dp
+    call expect('history: negative slip path', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, path_at - 1)
+    b%history_accepted(path_at) = 0
     do i = 0, 1
-      kept = b%hist_old(anchor_at + i)
-      b%hist_old(anchor_at + i) = merge(1e5_dp, -1e5_dp, i == 0)
+      kept = b%history_accepted(anchor_at + i)
+      b%history_accepted(anchor_at + i) = merge(1e5_dp, -1e5_dp, i == 0)
       call expect(client_text('history: an anchor far outside', int(i, i8)), CTE_ERROR_HISTORY, &
-        CTE_ARGUMENT_HISTORY_OLD, anchor_at - 1 + i)
-      b%hist_old(anchor_at + i) = 1000 ! 500 facets away
+        CTE_ARGUMENT_HISTORY_ACCEPTED, anchor_at - 1 + i)
+      b%history_accepted(anchor_at + i) = 1000 ! 500 facets away
       call client_check(clean_as(CTE_STATUS_SLIP), client_text('history: an anchor outside', int(i, i8)))
-      b%hist_old(anchor_at + i) = kept
+      b%history_accepted(anchor_at + i) = kept
     end do
-    if (accepted(b, 'PointQuad4')) b%hist_old(1) = 9
+    if (accepted(b, 'PointQuad4')) b%history_accepted(1) = 9
     call client_check(clean(), 'without friction any number is a status: it is open')
-    b%hist_old(2) = -1e30_dp
-    call expect('history: a projection far outside', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 1)
+    b%history_accepted(2) = -1e30_dp
+    call expect('history: a projection far outside', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 1)
   end subroutine histories
 
   ! Two contacts, the second with a bad history: it fails alone.
@@ -166,20 +166,20 @@ contains
     if (.not. accepted(b, facet)) return
     f = canary()
     x = spread(b%x(:15), 2, 2)
-    history = spread(b%hist_old(:history_size), 2, 2)
+    history = spread(b%history_accepted(:history_size), 2, 2)
     history(path_at, 2) = -1
     batch%struct_size = int(c_sizeof(batch), i4)
     batch%request = CTE_RESIDUAL
     batch%parameter_count = b%info%parameters
     batch%x = c_loc(x)
     batch%parameters = c_loc(b%parameters)
-    batch%hist_old = c_loc(history)
+    batch%history_accepted = c_loc(history)
     batch%f = c_loc(f)
     batch%status = c_loc(status)
     batch%code = c_loc(code)
     found = cte_element_evaluate_batch(b%element, 2_i8, batch)
     call client_check(found == CTE_CUT_BACK .and. batch%failed == 1 &
-      .and. batch%error_argument == CTE_ARGUMENT_HISTORY_OLD .and. batch%error_index == 1 &
+      .and. batch%error_argument == CTE_ARGUMENT_HISTORY_ACCEPTED .and. batch%error_index == 1 &
       .and. code(1) == CTE_SUCCESS .and. code(2) == CTE_ERROR_HISTORY .and. client_same(f(:1, 2), [canary()]), &
       'batch: a bad history fails alone')
   end subroutine in_a_batch
@@ -225,7 +225,7 @@ contains
       do i = 1, 6
         pass = accepted(b, trim(name(e))) .and. pass
         b%x = b%x*scale(i)
-        b%hist_old(anchor_at) = b%hist_old(anchor_at) + 0.3_dp
+        b%history_accepted(anchor_at) = b%history_accepted(anchor_at) + 0.3_dp
         pass = clean() .and. pass
       end do
       call client_check(pass, trim(name(e)))
@@ -238,11 +238,11 @@ contains
     logical :: pass
     real(dp) :: before(history_size)
     integer(i4) :: found, named
-    before = next%out%hist_new(:history_size)
+    before = next%out%history_trial(:history_size)
     named = untouched
-    found = cte_history_transfer(b%element, b%out%output, b%out%hist_new, next%element, next%out%output, &
-      next%out%hist_new, named)
-    pass = found == code .and. named == argument .and. client_same(before, next%out%hist_new(:history_size))
+    found = cte_history_transfer(b%element, b%out%output, b%out%history_trial, next%element, next%out%output, &
+      next%out%history_trial, named)
+    pass = found == code .and. named == argument .and. client_same(before, next%out%history_trial(:history_size))
     if (.not. pass) print '(4(a,i0))', '     code ', found, ' wanted ', code, ', argument ', named, ' wanted ', argument
   end function refused
 
@@ -271,16 +271,16 @@ contains
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS
     call c_f_procpointer(api%history_transfer, carry)
     call sound(facet, facet)
-    kept = next%out%hist_new(anchor_at)
-    p = [b%element, c_loc(b%out%output), c_loc(b%out%hist_new), next%element, c_loc(b%out%output), &
-      c_loc(next%out%hist_new)]
+    kept = next%out%history_trial(anchor_at)
+    p = [b%element, c_loc(b%out%output), c_loc(b%out%history_trial), next%element, c_loc(b%out%output), &
+      c_loc(next%out%history_trial)]
     do i = 1, 6
       q = p
       q(i) = c_null_ptr
       pass = carry(q(1), q(2), q(3), q(4), q(5), q(6), c_loc(named(i))) == CTE_ERROR_NULL .and. pass
       pass = pass .and. named(i) == CTE_ARGUMENT_FROM + i - 1
     end do
-    call client_check(pass .and. client_same([kept], next%out%hist_new(anchor_at:anchor_at)), &
+    call client_check(pass .and. client_same([kept], next%out%history_trial(anchor_at:anchor_at)), &
       'transfer: each pointer null')
     pass = carry(c_null_ptr, p(2), p(3), c_null_ptr, p(5), p(6), c_null_ptr) == CTE_ERROR_NULL
     call client_check(pass, 'transfer: argument null')
@@ -297,9 +297,9 @@ contains
         call sound(facet, facet)
         special = mod(entry - 1, client_specials) + 1
         if (i == 1) call client_special(special, b%out%output(entry))
-        if (i == 2) call client_special(special, b%out%hist_new(entry))
+        if (i == 2) call client_special(special, b%out%history_trial(entry))
         if (i == 3) call client_special(special, next%out%output(entry))
-        if (i == 4) call client_special(special, next%out%hist_new(entry))
+        if (i == 4) call client_special(special, next%out%history_trial(entry))
         pass = refused(CTE_ERROR_NOT_FINITE, name(i)) .and. pass
       end do
       call client_check(pass, client_text('transfer: no number in array', i - 1_i8))
@@ -309,17 +309,17 @@ contains
   subroutine transfer_histories()
     integer :: at
     call sound(facet, facet)
-    b%out%hist_new(1) = 2.5_dp
+    b%out%history_trial(1) = 2.5_dp
     call client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_FROM_HISTORY), 'transfer: no status')
     call sound(facet, facet)
-    b%out%hist_new(path_at) = -1
+    b%out%history_trial(path_at) = -1
     call client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_FROM_HISTORY), 'transfer: negative slip path')
     call sound(facet, facet)
     at = CTE_OUTPUT_PROJECTION + 1
     b%out%output(at) = b%out%output(at) + 0.01_dp
     call client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_FROM_HISTORY), 'transfer: output of another state')
     call sound(facet, facet)
-    next%out%hist_new(3) = next%out%hist_new(3) - 0.01_dp
+    next%out%history_trial(3) = next%out%history_trial(3) - 0.01_dp
     call client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_TO_HISTORY), 'transfer: new history of another state')
   end subroutine transfer_histories
 
@@ -337,7 +337,7 @@ contains
     code = untouched
     named = untouched
     e = cte_element_count()
-    call cte_f77_history_transfer(e, b%out%output, b%out%hist_new, e, next%out%output, next%out%hist_new, named, code)
+    call cte_f77_history_transfer(e, b%out%output, b%out%history_trial, e, next%out%output, next%out%history_trial, named, code)
     call client_check(code == CTE_ERROR_INDEX .and. named == CTE_ARGUMENT_FROM, 'F77 transfer, element out of range')
   end subroutine transfer_elements
 
@@ -359,7 +359,7 @@ contains
     call sound(facet, facet)
     next%out%output(tangents:tangents + 5) = 1e-29_dp*next%out%output(tangents:tangents + 5)
     b%out%output(tangents:tangents + 5) = [real(dp) :: 0, 1e29_dp, 0, 1e29_dp, 0, 0]
-    b%out%hist_new(anchor_at) = -1e29_dp
+    b%out%history_trial(anchor_at) = -1e29_dp
     call client_check(refused(CTE_CUT_BACK, CTE_ARGUMENT_TO_OUTPUT), 'transfer: an anchor beyond 1e30')
   end subroutine transfer_planes
 

@@ -54,7 +54,7 @@ static int finite_outputs(void)
   for (int i = 0; i < b.info.unknowns * b.info.unknowns && (b.a.request & CTE_TANGENT); i++)
     finite &= isfinite(b.out.k[i]) != 0;
   for (int i = 0; i < b.info.history; i++)
-    finite &= isfinite(b.out.hist_new[i]) != 0;
+    finite &= isfinite(b.out.history_trial[i]) != 0;
   for (int i = 0; i < b.info.points * CTE_OUTPUT_SIZE; i++)
     finite &= isfinite(b.out.output[i]) != 0;
   return finite;
@@ -88,8 +88,8 @@ static void null_pointers(void)
   b.a.k = NULL;
   expect("k null with CTE_TANGENT", CTE_ERROR_NULL, CTE_ARGUMENT_K);
   bench_open(&b, "PointQuad4");
-  b.a.hist_new = NULL;
-  expect("hist_new null with CTE_HISTORY", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_NEW);
+  b.a.history_trial = NULL;
+  expect("history_trial null with CTE_HISTORY", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_TRIAL);
   bench_open(&b, "PointQuad4");
   b.a.output = NULL;
   expect("output null with CTE_OUTPUT", CTE_ERROR_NULL, CTE_ARGUMENT_OUTPUT);
@@ -98,12 +98,12 @@ static void null_pointers(void)
   expect("energy null with CTE_ENERGY", CTE_ERROR_NULL, CTE_ARGUMENT_ENERGY);
   bench_open(&b, "PointQuad4");
   b.a.request |= CTE_PROJECTION_GIVEN;
-  b.a.hist_old = NULL;
-  expect("hist_old null with CTE_PROJECTION_GIVEN", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_OLD);
+  b.a.history_accepted = NULL;
+  expect("history_accepted null with CTE_PROJECTION_GIVEN", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_ACCEPTED);
   bench_open(&b, "PointQuad4");
   b.a.request |= CTE_FREEZE_STATE;
-  b.a.hist_old = NULL;
-  expect("hist_old null with CTE_FREEZE_STATE", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_OLD);
+  b.a.history_accepted = NULL;
+  expect("history_accepted null with CTE_FREEZE_STATE", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_ACCEPTED);
   bench_open(&b, "InterpolatedQuad4");
   b.a.slave_row = NULL;
   expect("slave_row null", CTE_ERROR_NULL, CTE_ARGUMENT_SLAVE_ROW);
@@ -195,9 +195,9 @@ static void parameters(void)
 
 static void not_finite(void)
 {
-  static const char *const place[] = {"x",         "u",            "hist_old", "eps_n",
+  static const char *const place[] = {"x",         "u",            "history_accepted", "eps_n",
                                       "slave_row", "slave weight", "f_scale",  "k_scale"};
-  static const int32_t argument[] = {CTE_ARGUMENT_X,          CTE_ARGUMENT_U,         CTE_ARGUMENT_HISTORY_OLD,
+  static const int32_t argument[] = {CTE_ARGUMENT_X,          CTE_ARGUMENT_U,         CTE_ARGUMENT_HISTORY_ACCEPTED,
                                      CTE_ARGUMENT_PARAMETERS, CTE_ARGUMENT_SLAVE_ROW, CTE_ARGUMENT_SLAVE_ROW,
                                      CTE_ARGUMENT_SCALE,      CTE_ARGUMENT_SCALE};
   for (int i = 0; i < 8; i++)
@@ -206,7 +206,7 @@ static void not_finite(void)
       if (!bench_open(&b, "InterpolatedQuad4"))
         return;
       double *const eps_n = &b.parameters[bench_parameter(&b, "eps_n")];
-      double *const spoiled[] = {&b.x[4],   &b.u[5],   &b.hist_old[1], eps_n,
+      double *const spoiled[] = {&b.x[4],   &b.u[5],   &b.history_accepted[1], eps_n,
                                  &b.row[0], &b.row[1], &b.a.f_scale,   &b.a.k_scale};
       client_special(special, spoiled[i]);
       snprintf(what, sizeof what, "%s in %s", client_special_name[special], place[i]);

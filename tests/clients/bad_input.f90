@@ -84,7 +84,7 @@ contains
     logical :: finite
     integer :: n
     n = b%info%unknowns
-    finite = all(ieee_is_finite(b%out%f(:n))) .and. all(ieee_is_finite(b%out%hist_new(:b%info%history))) &
+    finite = all(ieee_is_finite(b%out%f(:n))) .and. all(ieee_is_finite(b%out%history_trial(:b%info%history))) &
       .and. all(ieee_is_finite(b%out%output(:b%info%points*CTE_OUTPUT_SIZE)))
     if (iand(b%a%request, CTE_ENERGY) /= 0) finite = finite .and. ieee_is_finite(b%out%energy(1))
     if (iand(b%a%request, CTE_TANGENT) /= 0) finite = finite .and. all(ieee_is_finite(b%out%k(:n*n)))
@@ -123,8 +123,8 @@ contains
     b%a%k = c_null_ptr
     call expect('k null with CTE_TANGENT', CTE_ERROR_NULL, CTE_ARGUMENT_K)
     call bench_open(b, 'PointQuad4')
-    b%a%hist_new = c_null_ptr
-    call expect('hist_new null with CTE_HISTORY', CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_NEW)
+    b%a%history_trial = c_null_ptr
+    call expect('history_trial null with CTE_HISTORY', CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_TRIAL)
     call bench_open(b, 'PointQuad4')
     b%a%output = c_null_ptr
     call expect('output null with CTE_OUTPUT', CTE_ERROR_NULL, CTE_ARGUMENT_OUTPUT)
@@ -133,12 +133,12 @@ contains
     call expect('energy null with CTE_ENERGY', CTE_ERROR_NULL, CTE_ARGUMENT_ENERGY)
     call bench_open(b, 'PointQuad4')
     b%a%request = ior(b%a%request, CTE_PROJECTION_GIVEN)
-    b%a%hist_old = c_null_ptr
-    call expect('hist_old null with CTE_PROJECTION_GIVEN', CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_OLD)
+    b%a%history_accepted = c_null_ptr
+    call expect('history_accepted null with CTE_PROJECTION_GIVEN', CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_ACCEPTED)
     call bench_open(b, 'PointQuad4')
     b%a%request = ior(b%a%request, CTE_FREEZE_STATE)
-    b%a%hist_old = c_null_ptr
-    call expect('hist_old null with CTE_FREEZE_STATE', CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_OLD)
+    b%a%history_accepted = c_null_ptr
+    call expect('history_accepted null with CTE_FREEZE_STATE', CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_ACCEPTED)
     call bench_open(b, 'InterpolatedQuad4')
     b%a%slave_row = c_null_ptr
     call expect('slave_row null', CTE_ERROR_NULL, CTE_ARGUMENT_SLAVE_ROW)
@@ -233,9 +233,9 @@ contains
   end subroutine parameters
 
   subroutine not_finite()
-    character(len=12), parameter :: place(8) = [character(len=12) :: 'x', 'u', 'hist_old', 'eps_n', &
+    character(len=12), parameter :: place(8) = [character(len=12) :: 'x', 'u', 'history_accepted', 'eps_n', &
       'slave_row', 'slave weight', 'f_scale', 'k_scale']
-    integer(i4), parameter :: argument(8) = [CTE_ARGUMENT_X, CTE_ARGUMENT_U, CTE_ARGUMENT_HISTORY_OLD, &
+    integer(i4), parameter :: argument(8) = [CTE_ARGUMENT_X, CTE_ARGUMENT_U, CTE_ARGUMENT_HISTORY_ACCEPTED, &
       CTE_ARGUMENT_PARAMETERS, CTE_ARGUMENT_SLAVE_ROW, CTE_ARGUMENT_SLAVE_ROW, CTE_ARGUMENT_SCALE, &
       CTE_ARGUMENT_SCALE]
     integer :: i, special
@@ -244,7 +244,7 @@ contains
         call bench_open(b, 'InterpolatedQuad4')
         if (i == 1) call client_special(special, b%x(5))
         if (i == 2) call client_special(special, b%u(6))
-        if (i == 3) call client_special(special, b%hist_old(2))
+        if (i == 3) call client_special(special, b%history_accepted(2))
         if (i == 4) call client_special(special, b%parameters(bench_parameter(b, 'eps_n') + 1))
         if (i == 5) call client_special(special, b%row(1))
         if (i == 6) call client_special(special, b%row(2))

@@ -36,7 +36,7 @@ static int clean(void)
   for (int i = 0; i < b.info.unknowns * b.info.unknowns; i++)
     finite &= isfinite(b.out.k[i]) != 0;
   for (int i = 0; i < b.info.history; i++)
-    finite &= isfinite(b.out.hist_new[i]) != 0;
+    finite &= isfinite(b.out.history_trial[i]) != 0;
   return finite && isfinite(b.out.energy[0]);
 }
 
@@ -45,9 +45,9 @@ static int refused(int32_t code, int32_t argument)
 {
   static double before[ROOM_HISTORY];
   int32_t named = UNTOUCHED;
-  memcpy(before, b.hist_old, sizeof before);
-  const int32_t found = cte_history_augment(b.element, b.out.hist_new, b.hist_old, &named);
-  const int pass = found == code && named == argument && memcmp(before, b.hist_old, sizeof before) == 0;
+  memcpy(before, b.history_accepted, sizeof before);
+  const int32_t found = cte_history_augment(b.element, b.out.history_trial, b.history_accepted, &named);
+  const int pass = found == code && named == argument && memcmp(before, b.history_accepted, sizeof before) == 0;
   if (!pass)
     printf("     code %d wanted %d, argument %d wanted %d\n", (int)found, (int)code, (int)named, (int)argument);
   return pass;
@@ -58,7 +58,7 @@ static int accepted(bench *any, const char *name)
 {
   if (!bench_open(any, name) || bench_evaluate(any) != CTE_SUCCESS)
     return 0;
-  memcpy(any->hist_old, any->out.hist_new, (size_t)any->info.history * sizeof any->hist_old[0]);
+  memcpy(any->history_accepted, any->out.history_trial, (size_t)any->info.history * sizeof any->history_accepted[0]);
   return bench_evaluate(any) == CTE_SUCCESS;
 }
 
@@ -67,12 +67,12 @@ static void augment_null(void)
   int32_t named[3] = {UNTOUCHED, UNTOUCHED, UNTOUCHED};
   accepted(&b, "PointQuad4CoulombAugmented");
   static double kept[ROOM_HISTORY];
-  memcpy(kept, b.hist_old, sizeof kept);
-  client_check(cte_history_augment(NULL, b.out.hist_new, b.hist_old, &named[0]) == CTE_ERROR_NULL &&
-                   cte_history_augment(b.element, NULL, b.hist_old, &named[1]) == CTE_ERROR_NULL &&
-                   cte_history_augment(b.element, b.out.hist_new, NULL, &named[2]) == CTE_ERROR_NULL &&
-                   named[0] == CTE_ARGUMENT_ELEMENT && named[1] == CTE_ARGUMENT_HISTORY_NEW &&
-                   named[2] == CTE_ARGUMENT_HISTORY_OLD && client_same(kept, b.hist_old, ROOM_HISTORY),
+  memcpy(kept, b.history_accepted, sizeof kept);
+  client_check(cte_history_augment(NULL, b.out.history_trial, b.history_accepted, &named[0]) == CTE_ERROR_NULL &&
+                   cte_history_augment(b.element, NULL, b.history_accepted, &named[1]) == CTE_ERROR_NULL &&
+                   cte_history_augment(b.element, b.out.history_trial, NULL, &named[2]) == CTE_ERROR_NULL &&
+                   named[0] == CTE_ARGUMENT_ELEMENT && named[1] == CTE_ARGUMENT_HISTORY_TRIAL &&
+                   named[2] == CTE_ARGUMENT_HISTORY_ACCEPTED && client_same(kept, b.history_accepted, ROOM_HISTORY),
                "augment: each pointer null");
   client_check(cte_history_augment(NULL, NULL, NULL, NULL) == CTE_ERROR_NULL, "augment: argument null");
 }
@@ -87,15 +87,15 @@ static void augment_elements(void)
     client_check(refused(CTE_ERROR_ELEMENT, CTE_ARGUMENT_ELEMENT),
                  client_text("augment: no multiplier in the history", i));
   }
-  cte_f77_history_augment_(&index, b.out.hist_new, b.hist_old, &named, &code);
+  cte_f77_history_augment_(&index, b.out.history_trial, b.history_accepted, &named, &code);
   client_check(code == CTE_ERROR_INDEX && named == CTE_ARGUMENT_ELEMENT, "F77 augment, element out of range");
 }
 
 /* Entries that no evaluation writes, in the trial history (0) and in the accepted one (1). */
 static void augment_values(const char *name)
 {
-  static double *const array[2] = {b.out.hist_new, b.hist_old};
-  static const int32_t argument[2] = {CTE_ARGUMENT_HISTORY_NEW, CTE_ARGUMENT_HISTORY_OLD};
+  static double *const array[2] = {b.out.history_trial, b.history_accepted};
+  static const int32_t argument[2] = {CTE_ARGUMENT_HISTORY_TRIAL, CTE_ARGUMENT_HISTORY_ACCEPTED};
   static const double no_status[] = {-1.0, 9.0, 2.5, 1e30}, positive[] = {1e-307, 1e-300, 1.0, 1e30};
   for (int which = 0; which < 2; which++) {
     int finite = 1, status = 1, sign = 1;
@@ -133,10 +133,10 @@ static void augment_points(void)
     client_check(0, "Quad4Quad4CoulombAugmented");
     return;
   }
-  memcpy(b.out.hist_new, b.hist_old, sizeof b.hist_old);
+  memcpy(b.out.history_trial, b.history_accepted, sizeof b.history_accepted);
   for (int point = 0; point < 4; point++)
-    b.out.hist_new[point * HISTORY + MULTIPLIER] = point == 3 ? 1.0 : -1.0;
-  client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_NEW), "augment: the last of four points is bad");
+    b.out.history_trial[point * HISTORY + MULTIPLIER] = point == 3 ? 1.0 : -1.0;
+  client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_TRIAL), "augment: the last of four points is bad");
 }
 
 static void histories(const char *name)
@@ -145,18 +145,18 @@ static void histories(const char *name)
   accepted(&b, name);
   const int last = b.info.history - 1;
   for (int special = 0; special < CLIENT_SPECIALS; special++) {
-    client_special(special, &b.hist_old[last]);
-    expect(client_text("history: no number as multiplier", special), CTE_ERROR_NOT_FINITE, CTE_ARGUMENT_HISTORY_OLD,
+    client_special(special, &b.history_accepted[last]);
+    expect(client_text("history: no number as multiplier", special), CTE_ERROR_NOT_FINITE, CTE_ARGUMENT_HISTORY_ACCEPTED,
            last);
   }
   for (int i = 0; i < 2; i++) {
-    b.hist_old[last] = positive[i];
-    expect(client_text("history: positive multiplier", i), CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, last);
+    b.history_accepted[last] = positive[i];
+    expect(client_text("history: positive multiplier", i), CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, last);
   }
-  b.hist_old[last] = -0.0;
+  b.history_accepted[last] = -0.0;
   client_check(clean(), "history: a multiplier of minus zero");
-  b.hist_old[0] = 2.5;
-  expect("history with a multiplier: no status", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 0);
+  b.history_accepted[0] = 2.5;
+  expect("history with a multiplier: no status", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 0);
 }
 
 /* In u of the node; x and the other components are not looked at. */
@@ -297,7 +297,7 @@ static void scales(void)
       if (e < 3)
         b.u[LAMBDA] = -scale[i / 6];
       else
-        b.hist_old[b.info.history - 1] = -scale[i / 6];
+        b.history_accepted[b.info.history - 1] = -scale[i / 6];
       pass &= clean();
       b.x[2] *= 2.0; /* far over the facet */
       pass &= clean();
@@ -321,11 +321,11 @@ static void transfer(void)
         continue;
       accepted(&b, name[from]);
       accepted(&next, name[to]);
-      memcpy(before, next.out.hist_new, sizeof before);
-      const int32_t found = cte_history_transfer(b.element, b.out.output, b.out.hist_new, next.element,
-                                                 next.out.output, next.out.hist_new, &named);
+      memcpy(before, next.out.history_trial, sizeof before);
+      const int32_t found = cte_history_transfer(b.element, b.out.output, b.out.history_trial, next.element,
+                                                 next.out.output, next.out.history_trial, &named);
       client_check(found == CTE_ERROR_ELEMENT && named == argument &&
-                       memcmp(before, next.out.hist_new, sizeof before) == 0,
+                       memcmp(before, next.out.history_trial, sizeof before) == 0,
                    client_text("transfer to another kind of history", 10 * from + to));
     }
 }

@@ -51,7 +51,7 @@ contains
     m = b%info%unknowns
     if (bench_evaluate(b) == CTE_SUCCESS) then
       pass = all(ieee_is_finite(b%out%f(:m))) .and. all(ieee_is_finite(b%out%k(:m*m))) &
-        .and. all(ieee_is_finite(b%out%hist_new(:b%info%history))) .and. ieee_is_finite(b%out%energy(1))
+        .and. all(ieee_is_finite(b%out%history_trial(:b%info%history))) .and. ieee_is_finite(b%out%energy(1))
     else
       pass = bench_untouched(b)
     end if
@@ -63,10 +63,10 @@ contains
     logical :: pass
     integer(i8) :: before(room_history)
     integer(i4) :: found, named
-    before = transfer(b%hist_old, before)
+    before = transfer(b%history_accepted, before)
     named = untouched
-    found = cte_history_augment(b%element, b%out%hist_new, b%hist_old, named)
-    pass = found == wanted .and. named == argument .and. all(before == transfer(b%hist_old, before))
+    found = cte_history_augment(b%element, b%out%history_trial, b%history_accepted, named)
+    pass = found == wanted .and. named == argument .and. all(before == transfer(b%history_accepted, before))
     if (.not. pass) print '(4(a,i0))', '     code ', found, ' wanted ', wanted, ', argument ', named, ' not ', argument
   end function refused
 
@@ -79,13 +79,13 @@ contains
     call bench_open(any_bench, name)
     pass = bench_evaluate(any_bench) == CTE_SUCCESS
     length = any_bench%info%history
-    any_bench%hist_old(:length) = any_bench%out%hist_new(:length)
+    any_bench%history_accepted(:length) = any_bench%out%history_trial(:length)
     pass = bench_evaluate(any_bench) == CTE_SUCCESS .and. pass
     if (.not. pass) call client_check(.false., name)
   end subroutine accepted
 
   subroutine augment_null()
-    integer(i4), parameter :: argument(3) = [CTE_ARGUMENT_ELEMENT, CTE_ARGUMENT_HISTORY_NEW, CTE_ARGUMENT_HISTORY_OLD]
+    integer(i4), parameter :: argument(3) = [CTE_ARGUMENT_ELEMENT, CTE_ARGUMENT_HISTORY_TRIAL, CTE_ARGUMENT_HISTORY_ACCEPTED]
     integer(i4), target :: named(3)
     type(cte_api_table) :: api
     procedure(augment_call), pointer :: augment
@@ -97,15 +97,15 @@ contains
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS
     call c_f_procpointer(api%history_augment, augment)
     call accepted(b, frictional)
-    kept = b%hist_old
-    p = [b%element, c_loc(b%out%hist_new), c_loc(b%hist_old)]
+    kept = b%history_accepted
+    p = [b%element, c_loc(b%out%history_trial), c_loc(b%history_accepted)]
     named = untouched
     do i = 1, 3
       q = p
       q(i) = c_null_ptr
       pass = augment(q(1), q(2), q(3), c_loc(named(i))) == CTE_ERROR_NULL .and. pass
     end do
-    call client_check(pass .and. all(named == argument) .and. client_same(kept, b%hist_old), &
+    call client_check(pass .and. all(named == argument) .and. client_same(kept, b%history_accepted), &
       'augment: each pointer null')
     pass = augment(c_null_ptr, c_null_ptr, c_null_ptr, c_null_ptr) == CTE_ERROR_NULL
     call client_check(pass, 'augment: argument null')
@@ -123,7 +123,7 @@ contains
     end do
     found = untouched
     named = untouched
-    call cte_f77_history_augment(cte_element_count(), b%out%hist_new, b%hist_old, named, found)
+    call cte_f77_history_augment(cte_element_count(), b%out%history_trial, b%history_accepted, named, found)
     call client_check(found == CTE_ERROR_INDEX .and. named == CTE_ARGUMENT_ELEMENT, &
       'F77 augment, element out of range')
   end subroutine augment_elements
@@ -171,9 +171,9 @@ contains
     logical :: pass
     pass = cte_element_find('Quad4Quad4CoulombAugmented', 26, e) == CTE_SUCCESS
     if (pass) pass = bench_index(b, e, 0_i4)
-    b%out%hist_new = b%hist_old
-    b%out%hist_new(multiplier_at:4*history_size:history_size) = [-1, -1, -1, 1]
-    if (pass) pass = refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_NEW)
+    b%out%history_trial = b%history_accepted
+    b%out%history_trial(multiplier_at:4*history_size:history_size) = [-1, -1, -1, 1]
+    if (pass) pass = refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_TRIAL)
     call client_check(pass, 'augment: the last of four points is bad')
   end subroutine augment_points
 
@@ -184,19 +184,19 @@ contains
     call accepted(b, name)
     last = b%info%history
     do i = 1, client_specials
-      call client_special(i, b%hist_old(last))
+      call client_special(i, b%history_accepted(last))
       call expect(client_text('history: no number as multiplier', i - 1_i8), CTE_ERROR_NOT_FINITE, &
-        CTE_ARGUMENT_HISTORY_OLD, last - 1)
+        CTE_ARGUMENT_HISTORY_ACCEPTED, last - 1)
     end do
     do i = 1, 2
-      b%hist_old(last) = positive(i)
-      call expect(client_text('history: positive multiplier', i - 1_i8), CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, &
+      b%history_accepted(last) = positive(i)
+      call expect(client_text('history: positive multiplier', i - 1_i8), CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, &
         last - 1)
     end do
-    b%hist_old(last) = -0.0_dp
+    b%history_accepted(last) = -0.0_dp
     call client_check(clean(), 'history: a multiplier of minus zero')
-    b%hist_old(1) = 2.5_dp
-    call expect('history with a multiplier: no status', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 0)
+    b%history_accepted(1) = 2.5_dp
+    call expect('history with a multiplier: no status', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 0)
   end subroutine histories
 
   ! In u of the node; x and the other components are not looked at.
@@ -334,7 +334,7 @@ contains
           call bench_open(b, trim(name(e)))
           b%x = b%x*scale(i)
           if (e <= 3) b%u(lambda) = -scale(j)
-          if (e > 3) b%hist_old(b%info%history) = -scale(j)
+          if (e > 3) b%history_accepted(b%info%history) = -scale(j)
           pass = clean() .and. pass
           b%x(3) = 2*b%x(3) ! far over the facet
           pass = clean() .and. pass
@@ -357,12 +357,12 @@ contains
         if (kind(from) == kind(to) .and. kind(from) < 3) cycle
         call accepted(b, trim(name(from)))
         call accepted(next, trim(name(to)))
-        before = next%out%hist_new(:history_size)
+        before = next%out%history_trial(:history_size)
         named = untouched
-        found = cte_history_transfer(b%element, b%out%output, b%out%hist_new, next%element, next%out%output, &
-          next%out%hist_new, named)
+        found = cte_history_transfer(b%element, b%out%output, b%out%history_trial, next%element, next%out%output, &
+          next%out%history_trial, named)
         call client_check(found == CTE_ERROR_ELEMENT .and. named == merge(CTE_ARGUMENT_TO, CTE_ARGUMENT_FROM, &
-          kind(from) < 3) .and. client_same(before, next%out%hist_new(:history_size)), &
+          kind(from) < 3) .and. client_same(before, next%out%history_trial(:history_size)), &
           client_text('transfer to another kind of history', 10_i8*(from - 1) + to - 1))
       end do
     end do
@@ -375,9 +375,9 @@ contains
     call augment_elements()
     do i = 1, 2
       call accepted(b, trim(name(i)))
-      call augment_values(b%out%hist_new, CTE_ARGUMENT_HISTORY_NEW, 0_i8)
+      call augment_values(b%out%history_trial, CTE_ARGUMENT_HISTORY_TRIAL, 0_i8)
       call accepted(b, trim(name(i)))
-      call augment_values(b%hist_old, CTE_ARGUMENT_HISTORY_OLD, 1_i8)
+      call augment_values(b%history_accepted, CTE_ARGUMENT_HISTORY_ACCEPTED, 1_i8)
     end do
     call augment_points()
     call histories(trim(name(1)))

@@ -8,8 +8,8 @@
 enum { POINTS = 2, UNKNOWNS = 3 * (POINTS + 4), UNTOUCHED = -77 };
 
 static int32_t facet[4];
-static double x[UNKNOWNS], u[UNKNOWNS], parameters[3], hist_old[5 * POINTS], workspace[6 * POINTS];
-static double f[UNKNOWNS], k[UNKNOWNS * UNKNOWNS], output[POINTS * CTE_OUTPUT_SIZE], hist_new[5 * POINTS], energy[1];
+static double x[UNKNOWNS], u[UNKNOWNS], parameters[3], history_accepted[5 * POINTS], workspace[6 * POINTS];
+static double f[UNKNOWNS], k[UNKNOWNS * UNKNOWNS], output[POINTS * CTE_OUTPUT_SIZE], history_trial[5 * POINTS], energy[1];
 static cte_patch patch;
 static cte_arguments a;
 
@@ -39,7 +39,7 @@ static void lay_out(void)
     facet[i] = i;
   memcpy(x, plain, sizeof plain);
   memset(u, 0, sizeof u);
-  memset(hist_old, 0, sizeof hist_old);
+  memset(history_accepted, 0, sizeof history_accepted);
   parameters[0] = 1000.0;
   parameters[1] = 0.0;
   parameters[2] = 1.0;
@@ -50,11 +50,11 @@ static void lay_out(void)
   a.u = u;
   a.parameters = parameters;
   a.parameter_count = 3;
-  a.hist_old = hist_old;
+  a.history_accepted = history_accepted;
   a.f = f;
   a.k = k;
   a.output = output;
-  a.hist_new = hist_new;
+  a.history_trial = history_trial;
   a.energy = energy;
   a.workspace = workspace;
   a.workspace_size = 6 * POINTS;
@@ -74,13 +74,13 @@ static void expect(const char *what, int32_t code, int32_t argument, int32_t ind
   memset(f, 0x5a, sizeof f);
   memset(k, 0x5a, sizeof k);
   memset(output, 0x5a, sizeof output);
-  memset(hist_new, 0x5a, sizeof hist_new);
+  memset(history_trial, 0x5a, sizeof history_trial);
   memset(energy, 0x5a, sizeof energy);
   a.error_argument = UNTOUCHED;
   a.error_index = UNTOUCHED;
   const int32_t given = cte_patch_evaluate(&patch, &a);
   const int pass = given == code && a.error_argument == argument && a.error_index == index && blank(f, sizeof f) &&
-                   blank(k, sizeof k) && blank(output, sizeof output) && blank(hist_new, sizeof hist_new) &&
+                   blank(k, sizeof k) && blank(output, sizeof output) && blank(history_trial, sizeof history_trial) &&
                    blank(energy, sizeof energy);
   if (!pass)
     printf("     code %d wanted %d, argument %d wanted %d, index %d wanted %d\n", (int)given, (int)code,
@@ -106,9 +106,9 @@ static void null_pointers(void)
   expect("patch: workspace null", CTE_ERROR_NULL, CTE_ARGUMENT_WORKSPACE, 0);
   a.f = NULL;
   expect("patch: f null", CTE_ERROR_NULL, CTE_ARGUMENT_F, 0);
-  a.hist_old = NULL;
+  a.history_accepted = NULL;
   a.request |= CTE_FREEZE_STATE;
-  expect("patch: frozen without history", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_OLD, 0);
+  expect("patch: frozen without history", CTE_ERROR_NULL, CTE_ARGUMENT_HISTORY_ACCEPTED, 0);
 }
 
 static void counts(void)
@@ -162,17 +162,17 @@ static void numbers(void)
     expect(client_text("patch: no number in u", special), CTE_ERROR_NOT_FINITE, CTE_ARGUMENT_U, 5);
     client_special(special, &parameters[1]);
     expect(client_text("patch: no number in parameters", special), CTE_ERROR_NOT_FINITE, CTE_ARGUMENT_PARAMETERS, 1);
-    client_special(special, &hist_old[7]);
-    expect(client_text("patch: no number in hist_old", special), CTE_ERROR_NOT_FINITE, CTE_ARGUMENT_HISTORY_OLD, 7);
+    client_special(special, &history_accepted[7]);
+    expect(client_text("patch: no number in history_accepted", special), CTE_ERROR_NOT_FINITE, CTE_ARGUMENT_HISTORY_ACCEPTED, 7);
   }
   parameters[0] = 0.0;
   expect("patch: eps_n", CTE_ERROR_PARAMETER, CTE_ARGUMENT_PARAMETERS, 0);
   a.parameter_count = 2;
   expect("patch: too few parameters", CTE_ERROR_PARAMETER, CTE_ARGUMENT_PARAMETERS, 2);
-  hist_old[5] = 17.0;
-  expect("patch: no status", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 5);
-  hist_old[6] = 2.0;
-  expect("patch: no such facet", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 6);
+  history_accepted[5] = 17.0;
+  expect("patch: no status", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 5);
+  history_accepted[6] = 2.0;
+  expect("patch: no such facet", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 6);
   patch.reach = -1.0;
   expect("patch: negative reach", CTE_ERROR_NOT_FINITE, CTE_ARGUMENT_REACH, 0);
 }

@@ -12,8 +12,8 @@ module bad_patch
   integer(i4), parameter :: kept_value = -77, null = CTE_ERROR_NULL, no_count = CTE_ERROR_NODE_COUNT
   integer(i4), parameter :: no_number = CTE_ERROR_NOT_FINITE, no_element = CTE_ERROR_ELEMENT
   integer(i4), save, target :: facet(4)
-  real(dp), save, target :: x(n), u(n), parameters(3), hist_old(per_point*points), workspace(6*points)
-  real(dp), save, target :: f(n), k(n*n), output(points*CTE_OUTPUT_SIZE), hist_new(per_point*points), energy(1)
+  real(dp), save, target :: x(n), u(n), parameters(3), history_accepted(per_point*points), workspace(6*points)
+  real(dp), save, target :: f(n), k(n*n), output(points*CTE_OUTPUT_SIZE), history_trial(per_point*points), energy(1)
   type(cte_patch), save, target :: patch
   type(cte_arguments), save, target :: a
 
@@ -57,7 +57,7 @@ contains
     facet = [(i, i=0, 3)]
     x = [0.25_dp, 0.25_dp, -0.1_dp, 1.5_dp, 0.5_dp, -0.1_dp, [real(dp) :: 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]]
     u = 0
-    hist_old = 0
+    history_accepted = 0
     parameters = [1000.0_dp, 0.0_dp, 1.0_dp]
     a = cte_arguments()
     a%struct_size = int(c_sizeof(a), i4)
@@ -66,11 +66,11 @@ contains
     a%u = c_loc(u)
     a%parameters = c_loc(parameters)
     a%parameter_count = 3
-    a%hist_old = c_loc(hist_old)
+    a%history_accepted = c_loc(history_accepted)
     a%f = c_loc(f)
     a%k = c_loc(k)
     a%output = c_loc(output)
-    a%hist_new = c_loc(hist_new)
+    a%history_trial = c_loc(history_trial)
     a%energy = c_loc(energy)
     a%workspace = c_loc(workspace)
     a%workspace_size = 6*points
@@ -93,13 +93,13 @@ contains
     f = canary()
     k = canary()
     output = canary()
-    hist_new = canary()
+    history_trial = canary()
     energy = canary()
     a%error_argument = kept_value
     a%error_index = kept_value
     given = cte_patch_evaluate(patch, a)
     pass = given == code .and. a%error_argument == argument .and. a%error_index == entry .and. blank(f) &
-      .and. blank(k) .and. blank(output) .and. blank(hist_new) .and. blank(energy)
+      .and. blank(k) .and. blank(output) .and. blank(history_trial) .and. blank(energy)
     if (.not. pass) print '(6(a,i0))', '     code ', given, ' wanted ', code, ', argument ', a%error_argument, &
       ' wanted ', argument, ', index ', a%error_index, ' wanted ', entry
     call client_check(pass, what)
@@ -129,9 +129,9 @@ contains
     call expect('patch: workspace null', null, CTE_ARGUMENT_WORKSPACE, 0)
     a%f = c_null_ptr
     call expect('patch: f null', null, CTE_ARGUMENT_F, 0)
-    a%hist_old = c_null_ptr
+    a%history_accepted = c_null_ptr
     a%request = ior(a%request, CTE_FREEZE_STATE)
-    call expect('patch: frozen without history', null, CTE_ARGUMENT_HISTORY_OLD, 0)
+    call expect('patch: frozen without history', null, CTE_ARGUMENT_HISTORY_ACCEPTED, 0)
   end subroutine null_pointers
 
   subroutine counts()
@@ -183,17 +183,17 @@ contains
       call expect(client_text('patch: no number in u', special - 1_i8), no_number, CTE_ARGUMENT_U, 5)
       call client_special(special, parameters(2))
       call expect(client_text('patch: no number in parameters', special - 1_i8), no_number, CTE_ARGUMENT_PARAMETERS, 1)
-      call client_special(special, hist_old(8))
-      call expect(client_text('patch: no number in hist_old', special - 1_i8), no_number, CTE_ARGUMENT_HISTORY_OLD, 7)
+      call client_special(special, history_accepted(8))
+      call expect(client_text('patch: no number in history_accepted', special - 1_i8), no_number, CTE_ARGUMENT_HISTORY_ACCEPTED, 7)
     end do
     parameters(1) = 0
     call expect('patch: eps_n', CTE_ERROR_PARAMETER, CTE_ARGUMENT_PARAMETERS, 0)
     a%parameter_count = 2
     call expect('patch: too few parameters', CTE_ERROR_PARAMETER, CTE_ARGUMENT_PARAMETERS, 2)
-    hist_old(6) = 17
-    call expect('patch: no status', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 5)
-    hist_old(7) = 2
-    call expect('patch: no such facet', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_OLD, 6)
+    history_accepted(6) = 17
+    call expect('patch: no status', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 5)
+    history_accepted(7) = 2
+    call expect('patch: no such facet', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 6)
     patch%reach = -1
     call expect('patch: negative reach', no_number, CTE_ARGUMENT_REACH, 0)
   end subroutine numbers

@@ -79,7 +79,7 @@ static void folds(void)
       continue;
     }
     memcpy(b.x, i == 0 ? curve : facet, i == 0 ? sizeof curve : sizeof facet);
-    b.a.hist_old = NULL;
+    b.a.history_accepted = NULL;
     client_check(degenerate(), client_text("a fold", i));
   }
 }

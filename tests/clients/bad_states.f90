@@ -105,7 +105,7 @@ contains
       if (pass) pass = bench_index(b, element_index, 0)
       if (i == 0) b%x(:8) = curve
       if (i == 1) b%x(:15) = facet
-      b%a%hist_old = c_null_ptr
+      b%a%history_accepted = c_null_ptr
       if (pass) pass = degenerate()
       call client_check(pass, client_text('a fold', int(i, i8)))
     end do

@@ -47,7 +47,7 @@ typedef struct contact_set {
   cte_info info;
   double parameters[PARAMETERS];
   int32_t map[CONTACT_UNKNOWNS]; /* element unknown -> row of the host's element matrix */
-  double hist_old[CONTACTS][HISTORY], hist_new[CONTACTS][HISTORY];
+  double history_accepted[CONTACTS][HISTORY], history_trial[CONTACTS][HISTORY];
 } contact_set;
 
 typedef struct model {
@@ -103,7 +103,7 @@ static int contact_start(contact_set *contact)
   if (!set_parameter(contact, "eps_n", eps_n) || !set_parameter(contact, "r0", 0.0) || !make_map(contact))
     return 0;
   for (int c = 0; c < CONTACTS; c++)
-    if (cte_element_history_init(contact->element, contact->hist_old[c]) != CTE_SUCCESS)
+    if (cte_element_history_init(contact->element, contact->history_accepted[c]) != CTE_SUCCESS)
       return 0;
   return cte_element_check_parameters(contact->element, contact->parameters, contact->info.parameters, &bad) ==
          CTE_SUCCESS;
@@ -132,8 +132,8 @@ static int contact_element(contact_set *contact, const model *m, int c, double p
   a.u_node_stride = NDF;
   a.parameters = contact->parameters;
   a.parameter_count = contact->info.parameters;
-  a.hist_old = contact->hist_old[c];
-  a.hist_new = contact->hist_new[c];
+  a.history_accepted = contact->history_accepted[c];
+  a.history_trial = contact->history_trial[c];
   a.f = p;
   a.f_scale = -1.0;
   a.k = &s[0][0];
@@ -258,7 +258,7 @@ static int step(contact_set *contact, model *m, int number, const double move[3]
     for (int i = 0; i < 3; i++)
       m->u[3 * node + i] += move[i];
   const int count = newton(contact, m, number, residual);
-  memcpy(contact->hist_old, contact->hist_new, sizeof contact->hist_old); /* the step is accepted */
+  memcpy(contact->history_accepted, contact->history_trial, sizeof contact->history_accepted); /* the step is accepted */
   return quadratic(residual, count);
 }
 

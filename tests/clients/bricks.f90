@@ -41,7 +41,7 @@ module bricks_program
     type(cte_info) :: info
     real(dp) :: parameters(parameter_room) = 0
     integer(i4) :: map(contact_unknowns) = 0 ! element unknown -> row of the host's element matrix, from 0
-    real(dp) :: hist_old(history_room, contacts) = 0, hist_new(history_room, contacts) = 0
+    real(dp) :: history_accepted(history_room, contacts) = 0, history_trial(history_room, contacts) = 0
   end type contact_set
 
   type :: model
@@ -106,7 +106,7 @@ contains
     pass = set_parameter(contact, 'r0', 0.0_dp) .and. pass
     pass = make_map(contact) .and. pass
     do c = 1, contacts
-      pass = cte_element_history_init(contact%element, contact%hist_old(:, c)) == CTE_SUCCESS .and. pass
+      pass = cte_element_history_init(contact%element, contact%history_accepted(:, c)) == CTE_SUCCESS .and. pass
     end do
     pass = cte_element_check_parameters(contact%element, contact%parameters, contact%info%parameters, &
       bad) == CTE_SUCCESS .and. pass
@@ -139,8 +139,8 @@ contains
     a%u_node_stride = ndf
     a%parameters = c_loc(contact%parameters)
     a%parameter_count = contact%info%parameters
-    a%hist_old = c_loc(contact%hist_old(1, c))
-    a%hist_new = c_loc(contact%hist_new(1, c))
+    a%history_accepted = c_loc(contact%history_accepted(1, c))
+    a%history_trial = c_loc(contact%history_trial(1, c))
     a%f = c_loc(p)
     a%f_scale = -1
     a%k = c_loc(s)
@@ -268,7 +268,7 @@ contains
     integer :: count
     m%u(:, brick_nodes + 1:) = m%u(:, brick_nodes + 1:) + spread(move, 2, brick_nodes)
     count = newton(contact, m, number, residual)
-    contact%hist_old = contact%hist_new ! the step is accepted
+    contact%history_accepted = contact%history_trial ! the step is accepted
     pass = quadratic(residual, count)
   end function step
 

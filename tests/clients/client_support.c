@@ -101,8 +101,8 @@ static void fill_arguments(bench *b, int32_t nslave)
   a->u = b->u;
   a->parameters = b->parameters;
   a->parameter_count = b->info.parameters;
-  a->hist_old = b->hist_old;
-  a->hist_new = b->out.hist_new;
+  a->history_accepted = b->history_accepted;
+  a->history_trial = b->out.history_trial;
   a->slave_row = nslave > 0 ? b->row : NULL;
   a->f = b->out.f;
   a->k = b->out.k;
@@ -126,7 +126,7 @@ int bench_index(bench *b, int32_t index, int32_t nslave)
   if (b->info.unknowns > ROOM_UNKNOWNS || b->info.parameters > ROOM_PARAMETERS ||
       b->info.history > ROOM_HISTORY || b->info.points > ROOM_POINTS || b->info.workspace > ROOM_WORKSPACE)
     return 0;
-  if (!plain_parameters(b) || cte_element_history_init(b->element, b->hist_old) != CTE_SUCCESS)
+  if (!plain_parameters(b) || cte_element_history_init(b->element, b->history_accepted) != CTE_SUCCESS)
     return 0;
   b->row[0] = 1.0;
   b->row[nslave] = 1.0;

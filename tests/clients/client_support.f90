@@ -34,7 +34,7 @@ module client_support
   type :: bench_outputs
     real(dp) :: f(room_unknowns)
     real(dp) :: k(room_unknowns*room_unknowns)
-    real(dp) :: hist_new(room_history)
+    real(dp) :: history_trial(room_history)
     real(dp) :: output(room_points*CTE_OUTPUT_SIZE)
     real(dp) :: energy(1)
   end type bench_outputs
@@ -45,7 +45,7 @@ module client_support
     type(cte_arguments) :: a
     real(dp) :: x(room_unknowns), u(room_unknowns)
     real(dp) :: parameters(room_parameters)
-    real(dp) :: hist_old(room_history)
+    real(dp) :: history_accepted(room_history)
     real(dp) :: row(room_nodes + 1) ! interpolated slaves: [1, 0, ...], weight 1
     type(bench_outputs) :: out
     real(dp) :: workspace(room_workspace)
@@ -172,8 +172,8 @@ contains
     b%a%u = c_loc(b%u)
     b%a%parameters = c_loc(b%parameters)
     b%a%parameter_count = b%info%parameters
-    b%a%hist_old = c_loc(b%hist_old)
-    b%a%hist_new = c_loc(b%out%hist_new)
+    b%a%history_accepted = c_loc(b%history_accepted)
+    b%a%history_trial = c_loc(b%out%history_trial)
     if (nslave > 0) b%a%slave_row = c_loc(b%row)
     b%a%f = c_loc(b%out%f)
     b%a%k = c_loc(b%out%k)
@@ -193,7 +193,7 @@ contains
     b%x = 0
     b%u = 0
     b%parameters = 0
-    b%hist_old = 0
+    b%history_accepted = 0
     b%row = 0
     b%workspace = 0
   end subroutine clear
@@ -219,7 +219,7 @@ contains
       .and. b%info%history <= room_history .and. b%info%points <= room_points &
       .and. b%info%workspace <= room_workspace
     if (pass) pass = plain_parameters(b)
-    if (pass) pass = cte_element_history_init(b%element, b%hist_old) == CTE_SUCCESS
+    if (pass) pass = cte_element_history_init(b%element, b%history_accepted) == CTE_SUCCESS
     b%row(1) = 1
     b%row(nslave + 1) = 1
     call fill_arguments(b, nslave)
@@ -321,7 +321,7 @@ contains
     type(bench), intent(inout) :: b
     b%out%f = canary()
     b%out%k = canary()
-    b%out%hist_new = canary()
+    b%out%history_trial = canary()
     b%out%output = canary()
     b%out%energy = canary()
   end subroutine bench_canary
@@ -330,7 +330,7 @@ contains
     type(bench), intent(in) :: b
     logical :: untouched
     untouched = all(transfer(b%out%f, [pattern]) == pattern) .and. all(transfer(b%out%k, [pattern]) == pattern) &
-      .and. all(transfer(b%out%hist_new, [pattern]) == pattern) &
+      .and. all(transfer(b%out%history_trial, [pattern]) == pattern) &
       .and. all(transfer(b%out%output, [pattern]) == pattern) &
       .and. all(transfer(b%out%energy, [pattern]) == pattern)
   end function bench_untouched

@@ -21,7 +21,7 @@ enum {
 typedef struct bench_outputs {
   double f[ROOM_UNKNOWNS];
   double k[ROOM_UNKNOWNS * ROOM_UNKNOWNS];
-  double hist_new[ROOM_HISTORY];
+  double history_trial[ROOM_HISTORY];
   double output[ROOM_POINTS * CTE_OUTPUT_SIZE];
   double energy[1];
 } bench_outputs;
@@ -32,7 +32,7 @@ typedef struct bench {
   cte_arguments a;
   double x[ROOM_UNKNOWNS], u[ROOM_UNKNOWNS];
   double parameters[ROOM_PARAMETERS];
-  double hist_old[ROOM_HISTORY];
+  double history_accepted[ROOM_HISTORY];
   double row[ROOM_NODES + 1]; /* interpolated slaves: [1, 0, ...], weight 1 */
   bench_outputs out;
   double workspace[ROOM_WORKSPACE];

@@ -51,36 +51,36 @@ static int solved(bench *any, const double load[3])
 static int augmented(bench *any)
 {
   int32_t argument = -1;
-  return cte_history_augment(any->element, any->out.hist_new, any->hist_old, &argument) == CTE_SUCCESS &&
+  return cte_history_augment(any->element, any->out.history_trial, any->history_accepted, &argument) == CTE_SUCCESS &&
          argument == CTE_ARGUMENT_NONE;
 }
 
 static void accept(bench *any)
 {
-  memcpy(any->hist_old, any->out.hist_new, (size_t)any->info.history * sizeof any->hist_old[0]);
+  memcpy(any->history_accepted, any->out.history_trial, (size_t)any->info.history * sizeof any->history_accepted[0]);
 }
 
-/* One evaluation: N = multiplier + eps_n g, the multiplier of hist_old stays. */
+/* One evaluation: N = multiplier + eps_n g, the multiplier of history_accepted stays. */
 static void one_evaluation(void)
 {
   int pass = opened(&b, "PointQuad4Augmented", -0.05) && b.info.history == PLAIN_HISTORY && b.info.symmetric == 1 &&
              b.info.unknowns == N && b.info.nodes_minimum == 5;
-  b.hist_old[PLAIN_MULTIPLIER] = -3.0;
+  b.history_accepted[PLAIN_MULTIPLIER] = -3.0;
   pass = pass && bench_evaluate(&b) == CTE_SUCCESS && b.a.status == CTE_STATUS_CLOSED;
   client_check(pass && fabs(b.out.f[2] + 8.0) < 1e-14 &&
                    fabs(b.out.output[CTE_OUTPUT_NORMAL_TRACTION] + 8.0) < 1e-14 &&
                    fabs(b.out.k[2 * N + 2] - eps_n) < 1e-13 && fabs(b.out.energy[0] - 64.0 / (2.0 * eps_n)) < 1e-15,
                "augmented: N = multiplier + eps_n g, energy = N^2/(2 eps_n)");
-  client_check(b.out.hist_new[PLAIN_MULTIPLIER] == b.out.output[CTE_OUTPUT_NORMAL_TRACTION],
+  client_check(b.out.history_trial[PLAIN_MULTIPLIER] == b.out.output[CTE_OUTPUT_NORMAL_TRACTION],
                "augmented: the new multiplier is N");
   b.u[2] = 0.09;
   client_check(bench_evaluate(&b) == CTE_SUCCESS && b.a.status == CTE_STATUS_OPEN && b.out.f[2] == 0.0 &&
-                   b.out.hist_new[PLAIN_MULTIPLIER] == 0.0,
+                   b.out.history_trial[PLAIN_MULTIPLIER] == 0.0,
                "augmented, open: no force, no multiplier");
-  b.hist_old[CTE_HISTORY_STATUS] = CTE_STATUS_CLOSED;
+  b.history_accepted[CTE_HISTORY_STATUS] = CTE_STATUS_CLOSED;
   b.a.request |= CTE_FREEZE_STATE;
   client_check(bench_evaluate(&b) == CTE_SUCCESS && b.a.status == CTE_STATUS_CLOSED && fabs(b.out.f[2] - 1.0) < 1e-14 &&
-                   b.out.hist_new[PLAIN_MULTIPLIER] == 0.0,
+                   b.out.history_trial[PLAIN_MULTIPLIER] == 0.0,
                "augmented, CTE_FREEZE_STATE: closed with N > 0, which no multiplier keeps");
 }
 
@@ -93,10 +93,10 @@ static void normal(void)
   int pass = opened(&b, "PointQuad4Augmented", 0.1), stays = 1;
   for (int step = 0; step < STEPS; step++) {
     pass = pass && solved(&b, load) && augmented(&b);
-    multiplier[step] = b.hist_old[PLAIN_MULTIPLIER];
+    multiplier[step] = b.history_accepted[PLAIN_MULTIPLIER];
     pass = pass && fabs(multiplier[step] - exact - rate * before) < 1e-12;
     before = multiplier[step] - exact;
-    stays &= b.hist_old[CTE_HISTORY_STATUS] == CTE_STATUS_OPEN;
+    stays &= b.history_accepted[CTE_HISTORY_STATUS] == CTE_STATUS_OPEN;
   }
   client_check(pass, "Uzawa: the multiplier's error shrinks by k/(k + eps_n)");
   client_check(fabs(before) < 1e-13 && fabs(b.out.output[CTE_OUTPUT_GAP]) < 1e-14, "Uzawa: N is the load's, no gap");
@@ -105,9 +105,9 @@ static void normal(void)
   for (int step = 0; step < STEPS; step++) {
     pass = pass && solved(&a, load);
     accept(&a);
-    pass = pass && fabs(a.hist_old[PLAIN_MULTIPLIER] - multiplier[step]) < 1e-12;
+    pass = pass && fabs(a.history_accepted[PLAIN_MULTIPLIER] - multiplier[step]) < 1e-12;
   }
-  client_check(pass && a.hist_old[CTE_HISTORY_STATUS] == CTE_STATUS_CLOSED,
+  client_check(pass && a.history_accepted[CTE_HISTORY_STATUS] == CTE_STATUS_CLOSED,
                "Uzawa: accepting alone makes one iteration per step");
 }
 
@@ -128,7 +128,7 @@ static void tangential(void)
   double before[2] = {0.0}, accepted[HISTORY];
   int pass = opened(&b, "PointQuad4CoulombAugmented", 0.1) && b.info.history == HISTORY && held(&b, press), path = 1;
   accept(&b);
-  memcpy(accepted, b.hist_old, sizeof accepted);
+  memcpy(accepted, b.history_accepted, sizeof accepted);
   client_check(pass && accepted[CTE_HISTORY_STATUS] == CTE_STATUS_STICK && fabs(accepted[MULTIPLIER] + 5.0) < 1e-13,
                "Uzawa with friction: pressed, N is the load's");
   for (int step = 0; step < STEPS; step++) {
@@ -138,10 +138,10 @@ static void tangential(void)
       pass = pass && fabs(b.u[i] - expected) < 1e-12;
       before[i] = b.u[i];
     }
-    path &= b.hist_old[PATH] == 0.0 && b.out.hist_new[PATH] == 0.0;
+    path &= b.history_accepted[PATH] == 0.0 && b.out.history_trial[PATH] == 0.0;
   }
   client_check(pass, "Uzawa with friction: the slip of the step shrinks by k/(k + eps_t)");
-  client_check(path && client_same(accepted, b.hist_old, CTE_HISTORY_PROJECTION + 2),
+  client_check(path && client_same(accepted, b.history_accepted, CTE_HISTORY_PROJECTION + 2),
                "Uzawa with friction: slip path, status and projection stay");
   client_check(client_near(b.out.f, pull, 2, 1e-7) && fabs(b.u[0]) + fabs(b.u[1]) < 1e-8,
                "Uzawa with friction: the traction is the load's, no slip");
@@ -161,15 +161,15 @@ static void sliding(void)
   double first[HISTORY];
   int pass = opened(&b, "PointQuad4CoulombAugmented", -0.05) && bench_evaluate(&b) == CTE_SUCCESS;
   accept(&b);
-  b.hist_old[MULTIPLIER] = -5.0;
+  b.history_accepted[MULTIPLIER] = -5.0;
   b.u[0] = 0.3;
   b.u[2] = 0.05; /* no gap */
   pass = pass && bench_evaluate(&b) == CTE_SUCCESS && b.a.status == CTE_STATUS_SLIP && fabs(b.out.f[0] - 1.25) < 1e-13;
-  memcpy(first, b.out.hist_new, sizeof first);
+  memcpy(first, b.out.history_trial, sizeof first);
   pass = pass && augmented(&b) && bench_evaluate(&b) == CTE_SUCCESS && b.a.status == CTE_STATUS_SLIP &&
          fabs(b.out.f[0] - 1.25) < 1e-13;
   client_check(pass, "Uzawa with friction, sliding: the traction stays at its bound");
-  client_check(fabs(b.out.hist_new[1] - b.out.hist_new[3] - (first[1] - first[3])) < 1e-14,
+  client_check(fabs(b.out.history_trial[1] - b.out.history_trial[3] - (first[1] - first[3])) < 1e-14,
                "Uzawa with friction, sliding: the elastic slip stays");
 }
 
@@ -221,10 +221,10 @@ static void transfer(const char *name, int32_t status, const char *what)
   const int last = a.info.history - 1;
   pass = pass && bench_evaluate(&a) == CTE_SUCCESS;
   accept(&a);
-  a.hist_old[last] = -4.0;
+  a.history_accepted[last] = -4.0;
   a.u[0] = 0.04;
   a.u[1] = 0.003;
-  pass = pass && bench_evaluate(&a) == CTE_SUCCESS && a.a.status == status && fabs(a.out.hist_new[last] + 6.0) < 1e-14;
+  pass = pass && bench_evaluate(&a) == CTE_SUCCESS && a.a.status == status && fabs(a.out.history_trial[last] + 6.0) < 1e-14;
   accept(&a); /* the state at its end */
   a.u[2] = 0.02;
   pass = pass && bench_evaluate(&a) == CTE_SUCCESS && a.a.status == status;
@@ -234,11 +234,11 @@ static void transfer(const char *name, int32_t status, const char *what)
     b.x[3 * node] += 2.0;
   memcpy(b.u, a.u, 3 * sizeof b.u[0]);
   pass = pass && bench_evaluate(&b) == CTE_SUCCESS &&
-         cte_history_transfer(a.element, a.out.output, a.out.hist_new, b.element, b.out.output, b.out.hist_new,
+         cte_history_transfer(a.element, a.out.output, a.out.history_trial, b.element, b.out.output, b.out.history_trial,
                               &argument) == CTE_SUCCESS;
-  client_check(pass && argument == CTE_ARGUMENT_NONE && b.out.hist_new[0] == status &&
-                   client_same(&b.out.hist_new[last], &a.out.hist_new[last], 1) &&
-                   client_same(&b.out.hist_new[1], &b.out.output[CTE_OUTPUT_PROJECTION], 2),
+  client_check(pass && argument == CTE_ARGUMENT_NONE && b.out.history_trial[0] == status &&
+                   client_same(&b.out.history_trial[last], &a.out.history_trial[last], 1) &&
+                   client_same(&b.out.history_trial[1], &b.out.output[CTE_OUTPUT_PROJECTION], 2),
                what);
   accept(&b);
   pass = pass && bench_evaluate(&b) == CTE_SUCCESS;

@@ -51,7 +51,7 @@ contains
     logical :: pass
     integer(i4) :: argument
     argument = -1
-    pass = cte_history_augment(any_bench%element, any_bench%out%hist_new, any_bench%hist_old, argument) == CTE_SUCCESS
+    pass = cte_history_augment(any_bench%element, any_bench%out%history_trial, any_bench%history_accepted, argument) == CTE_SUCCESS
     pass = pass .and. argument == CTE_ARGUMENT_NONE
   end function augmented
 
@@ -59,7 +59,7 @@ contains
     type(bench), intent(inout) :: any_bench
     integer :: length
     length = any_bench%info%history
-    any_bench%hist_old(:length) = any_bench%out%hist_new(:length)
+    any_bench%history_accepted(:length) = any_bench%out%history_trial(:length)
   end subroutine accept
 
   ! Evaluates to this status.
@@ -71,12 +71,12 @@ contains
     pass = pass .and. any_bench%a%status == status
   end function evaluated
 
-  ! One evaluation: N = multiplier + eps_n g, the multiplier of hist_old stays.
+  ! One evaluation: N = multiplier + eps_n g, the multiplier of history_accepted stays.
   subroutine one_evaluation()
     real(dp) :: traction
     logical :: pass
     call opened(b, plain, -0.05_dp)
-    b%hist_old(plain_multiplier) = -3
+    b%history_accepted(plain_multiplier) = -3
     pass = evaluated(b, CTE_STATUS_CLOSED)
     pass = pass .and. b%info%history == plain_size .and. b%info%symmetric == 1 .and. b%info%unknowns == n &
       .and. b%info%nodes_minimum == 5
@@ -84,15 +84,15 @@ contains
     call client_check(pass .and. abs(b%out%f(3) + 8) < 1e-14_dp .and. abs(traction + 8) < 1e-14_dp &
       .and. abs(b%out%k(3 + 2*n) - eps_n) < 1e-13_dp .and. abs(b%out%energy(1) - 64/(2*eps_n)) < 1e-15_dp, &
       'augmented: N = multiplier + eps_n g, energy = N^2/(2 eps_n)')
-    call client_check(abs(b%out%hist_new(plain_multiplier) - traction) <= 0, 'augmented: the new multiplier is N')
+    call client_check(abs(b%out%history_trial(plain_multiplier) - traction) <= 0, 'augmented: the new multiplier is N')
     b%u(3) = 0.09_dp
     pass = evaluated(b, CTE_STATUS_OPEN)
-    call client_check(pass .and. abs(b%out%f(3)) <= 0 .and. abs(b%out%hist_new(plain_multiplier)) <= 0, &
+    call client_check(pass .and. abs(b%out%f(3)) <= 0 .and. abs(b%out%history_trial(plain_multiplier)) <= 0, &
       'augmented, open: no force, no multiplier')
-    b%hist_old(1) = CTE_STATUS_CLOSED
+    b%history_accepted(1) = CTE_STATUS_CLOSED
     b%a%request = ior(b%a%request, CTE_FREEZE_STATE)
     pass = evaluated(b, CTE_STATUS_CLOSED)
-    call client_check(pass .and. abs(b%out%f(3) - 1) < 1e-14_dp .and. abs(b%out%hist_new(plain_multiplier)) <= 0, &
+    call client_check(pass .and. abs(b%out%f(3) - 1) < 1e-14_dp .and. abs(b%out%history_trial(plain_multiplier)) <= 0, &
       'augmented, CTE_FREEZE_STATE: closed with N > 0, which no multiplier keeps')
   end subroutine one_evaluation
 
@@ -109,10 +109,10 @@ contains
     do step = 1, steps
       pass = solved(b, load) .and. pass
       pass = augmented(b) .and. pass
-      multiplier(step) = b%hist_old(plain_multiplier)
+      multiplier(step) = b%history_accepted(plain_multiplier)
       pass = pass .and. abs(multiplier(step) - exact - rate*before) < 1e-12_dp
       before = multiplier(step) - exact
-      stays = stays .and. nint(b%hist_old(1)) == CTE_STATUS_OPEN
+      stays = stays .and. nint(b%history_accepted(1)) == CTE_STATUS_OPEN
     end do
     call client_check(pass, 'Uzawa: the multiplier''s error shrinks by k/(k + eps_n)')
     call client_check(abs(before) < 1e-13_dp .and. abs(b%out%output(CTE_OUTPUT_GAP + 1)) < 1e-14_dp, &
@@ -123,9 +123,9 @@ contains
     do step = 1, steps
       pass = solved(a, load) .and. pass
       call accept(a)
-      pass = pass .and. abs(a%hist_old(plain_multiplier) - multiplier(step)) < 1e-12_dp
+      pass = pass .and. abs(a%history_accepted(plain_multiplier) - multiplier(step)) < 1e-12_dp
     end do
-    call client_check(pass .and. nint(a%hist_old(1)) == CTE_STATUS_CLOSED, &
+    call client_check(pass .and. nint(a%history_accepted(1)) == CTE_STATUS_CLOSED, &
       'Uzawa: accepting alone makes one iteration per step')
   end subroutine normal
 
@@ -152,7 +152,7 @@ contains
     call opened(b, frictional, 0.1_dp)
     pass = held(b, [0.0_dp, 0.0_dp, -10.0_dp])
     call accept(b)
-    accepted = b%hist_old(:history_size)
+    accepted = b%history_accepted(:history_size)
     call client_check(pass .and. b%info%history == history_size .and. nint(accepted(1)) == CTE_STATUS_STICK &
       .and. abs(accepted(multiplier_at) + 5) < 1e-13_dp, 'Uzawa with friction: pressed, N is the load''s')
     path = .true.
@@ -162,10 +162,10 @@ contains
       pass = augmented(b) .and. pass
       pass = pass .and. b%a%status == CTE_STATUS_STICK .and. all(abs(b%u(:2) - rate*before) < 1e-12_dp)
       before = b%u(:2)
-      path = path .and. abs(b%hist_old(path_at)) <= 0 .and. abs(b%out%hist_new(path_at)) <= 0
+      path = path .and. abs(b%history_accepted(path_at)) <= 0 .and. abs(b%out%history_trial(path_at)) <= 0
     end do
     call client_check(pass, 'Uzawa with friction: the slip of the step shrinks by k/(k + eps_t)')
-    call client_check(path .and. client_same(accepted(:3), b%hist_old(:3)), &
+    call client_check(path .and. client_same(accepted(:3), b%history_accepted(:3)), &
       'Uzawa with friction: slip path, status and projection stay')
     force = b%out%f(:2)
     call client_check(client_near(force, pull(:2), 1e-7_dp) .and. sum(abs(b%u(:2))) < 1e-8_dp, &
@@ -185,16 +185,16 @@ contains
     call opened(b, frictional, -0.05_dp)
     pass = bench_evaluate(b) == CTE_SUCCESS
     call accept(b)
-    b%hist_old(multiplier_at) = -5
+    b%history_accepted(multiplier_at) = -5
     b%u(:3) = [0.3_dp, 0.0_dp, 0.05_dp] ! no gap
     pass = evaluated(b, CTE_STATUS_SLIP) .and. pass
     pass = pass .and. abs(b%out%f(1) - 1.25_dp) < 1e-13_dp
-    elastic = b%out%hist_new(2) - b%out%hist_new(4)
+    elastic = b%out%history_trial(2) - b%out%history_trial(4)
     pass = augmented(b) .and. pass
     pass = evaluated(b, CTE_STATUS_SLIP) .and. pass
     call client_check(pass .and. abs(b%out%f(1) - 1.25_dp) < 1e-13_dp, &
       'Uzawa with friction, sliding: the traction stays at its bound')
-    call client_check(abs(b%out%hist_new(2) - b%out%hist_new(4) - elastic) < 1e-14_dp, &
+    call client_check(abs(b%out%history_trial(2) - b%out%history_trial(4) - elastic) < 1e-14_dp, &
       'Uzawa with friction, sliding: the elastic slip stays')
   end subroutine sliding
 
@@ -259,10 +259,10 @@ contains
     last = a%info%history
     pass = bench_evaluate(a) == CTE_SUCCESS
     call accept(a)
-    a%hist_old(last) = -4
+    a%history_accepted(last) = -4
     a%u(:2) = [0.04_dp, 0.003_dp]
     pass = evaluated(a, status) .and. pass
-    pass = pass .and. abs(a%out%hist_new(last) + 6) < 1e-14_dp
+    pass = pass .and. abs(a%out%history_trial(last) + 6) < 1e-14_dp
     call accept(a)
     a%u(3) = 0.02_dp
     pass = evaluated(a, status) .and. pass
@@ -283,10 +283,11 @@ contains
     b%x(4:n:3) = b%x(4:n:3) + 2
     b%u(:3) = a%u(:3)
     pass = bench_evaluate(b) == CTE_SUCCESS .and. pass
-    pass = cte_history_transfer(a%element, a%out%output, a%out%hist_new, b%element, b%out%output, b%out%hist_new, &
+    pass = cte_history_transfer(a%element, a%out%output, a%out%history_trial, b%element, b%out%output, b%out%history_trial, &
       argument) == CTE_SUCCESS .and. pass
-    call client_check(pass .and. argument == CTE_ARGUMENT_NONE .and. nint(b%out%hist_new(1)) == status &
-      .and. client_same(b%out%hist_new(last:last), a%out%hist_new(last:last)) .and. client_same(b%out%hist_new(2:3), &
+    call client_check(pass .and. argument == CTE_ARGUMENT_NONE .and. nint(b%out%history_trial(1)) == status &
+      .and. client_same(b%out%history_trial(last:last), a%out%history_trial(last:last)) &
+      .and. client_same(b%out%history_trial(2:3), &
       b%out%output(CTE_OUTPUT_PROJECTION + 1:CTE_OUTPUT_PROJECTION + 2)), what)
     call accept(b)
     pass = bench_evaluate(b) == CTE_SUCCESS .and. pass

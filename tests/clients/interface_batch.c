@@ -20,14 +20,14 @@ enum {
 
 typedef struct results {
   double f[CONTACTS][N], k[CONTACTS][N * N];
-  double hist_new[CONTACTS][HISTORY], output[CONTACTS][CTE_OUTPUT_SIZE], energy[CONTACTS];
+  double history_trial[CONTACTS][HISTORY], output[CONTACTS][CTE_OUTPUT_SIZE], energy[CONTACTS];
   int32_t status[CONTACTS], code[CONTACTS];
 } results;
 
 static bench b;
 static cte_batch batch;
 static results single, many;
-static double x[NODES][3], u[NODES][3], hist_old[CONTACTS][HISTORY];
+static double x[NODES][3], u[NODES][3], history_accepted[CONTACTS][HISTORY];
 static int32_t connectivity[CONTACTS][5];
 static double workspace[ROOM_WORKSPACE];
 
@@ -50,7 +50,7 @@ static void lay_out(void)
     slave[0] = e + (e == 5 ? 1.5 : 0.4);
     slave[1] = 0.6;
     slave[2] = e % 3 == 2 ? 0.1 : -0.05;
-    cte_element_history_init(b.element, hist_old[e]);
+    cte_element_history_init(b.element, history_accepted[e]);
   }
 }
 
@@ -63,10 +63,10 @@ static int single_calls(void)
       memcpy(&b.x[3 * a], x[connectivity[e][a]], sizeof x[0]);
       memcpy(&b.u[3 * a], u[connectivity[e][a]], sizeof u[0]);
     }
-    b.a.hist_old = hist_old[e];
+    b.a.history_accepted = history_accepted[e];
     b.a.f = single.f[e];
     b.a.k = single.k[e];
-    b.a.hist_new = single.hist_new[e];
+    b.a.history_trial = single.history_trial[e];
     b.a.output = single.output[e];
     b.a.energy = &single.energy[e];
     pass &= bench_evaluate(&b) == CTE_SUCCESS;
@@ -101,8 +101,8 @@ static void fresh(void)
   batch.connectivity = &connectivity[0][0];
   batch.global_nodes = NODES;
   batch.parameters = b.parameters;
-  batch.hist_old = &hist_old[0][0];
-  batch.hist_new = &many.hist_new[0][0];
+  batch.history_accepted = &history_accepted[0][0];
+  batch.history_trial = &many.history_trial[0][0];
   batch.f = &many.f[0][0];
   batch.k = &many.k[0][0];
   batch.output = &many.output[0][0];
@@ -283,7 +283,7 @@ static int scatters(const int64_t row_start[ROWS + 1], const int32_t column[ROWS
 
 static void other_outputs(void)
 {
-  client_check(memcmp(many.hist_new, single.hist_new, sizeof many.hist_new) == 0 &&
+  client_check(memcmp(many.history_trial, single.history_trial, sizeof many.history_trial) == 0 &&
                    memcmp(many.output, single.output, sizeof many.output) == 0 &&
                    memcmp(many.energy, single.energy, sizeof many.energy) == 0,
                "batch: scattered, the other outputs");
@@ -349,7 +349,7 @@ static void one_failure(void)
     if (e != 1)
       pass &= many.code[e] == CTE_SUCCESS && many.status[e] == single.status[e] &&
               client_same(many.f[e], single.f[e], N) && client_same(many.k[e], single.k[e], N * N) &&
-              client_same(many.hist_new[e], single.hist_new[e], HISTORY);
+              client_same(many.history_trial[e], single.history_trial[e], HISTORY);
   client_check(pass, "batch: one contact fails, the others are valid");
 }
 

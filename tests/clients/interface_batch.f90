@@ -19,14 +19,14 @@ module interface_batch
 
   type :: results
     real(dp) :: f(n, contacts), k(n*n, contacts)
-    real(dp) :: hist_new(history, contacts), output(CTE_OUTPUT_SIZE, contacts), energy(contacts)
+    real(dp) :: history_trial(history, contacts), output(CTE_OUTPUT_SIZE, contacts), energy(contacts)
     integer(i4) :: status(contacts), code(contacts)
   end type results
 
   type(bench), save, target :: b
   type(cte_batch), save :: batch
   type(results), save, target :: single, many
-  real(dp), save, target :: x(3, 0:nodes - 1), u(3, 0:nodes - 1), hist_old(history, contacts)
+  real(dp), save, target :: x(3, 0:nodes - 1), u(3, 0:nodes - 1), history_accepted(history, contacts)
   integer(i4), save, target :: connectivity(5, contacts)
   real(dp), save, target :: workspace(room_workspace)
 
@@ -50,7 +50,7 @@ contains
       x(1, strip_nodes + e) = e + merge(1.5_dp, 0.4_dp, e == 5)
       x(2, strip_nodes + e) = 0.6_dp
       x(3, strip_nodes + e) = merge(0.1_dp, -0.05_dp, mod(e, 3) == 2)
-      if (cte_element_history_init(b%element, hist_old(:, e + 1)) /= CTE_SUCCESS) return
+      if (cte_element_history_init(b%element, history_accepted(:, e + 1)) /= CTE_SUCCESS) return
     end do
   end subroutine lay_out
 
@@ -62,10 +62,10 @@ contains
     do e = 1, contacts
       b%x(:n) = reshape(x(:, connectivity(:, e)), [n])
       b%u(:n) = reshape(u(:, connectivity(:, e)), [n])
-      b%a%hist_old = c_loc(hist_old(1, e))
+      b%a%history_accepted = c_loc(history_accepted(1, e))
       b%a%f = c_loc(single%f(1, e))
       b%a%k = c_loc(single%k(1, e))
-      b%a%hist_new = c_loc(single%hist_new(1, e))
+      b%a%history_trial = c_loc(single%history_trial(1, e))
       b%a%output = c_loc(single%output(1, e))
       b%a%energy = c_loc(single%energy(e))
       pass = bench_evaluate(b) == CTE_SUCCESS .and. pass
@@ -93,7 +93,7 @@ contains
     batch = zero
     many%f = canary()
     many%k = canary()
-    many%hist_new = canary()
+    many%history_trial = canary()
     many%output = canary()
     many%energy = canary()
     many%status = -77
@@ -106,8 +106,8 @@ contains
     batch%connectivity = c_loc(connectivity)
     batch%global_nodes = nodes
     batch%parameters = c_loc(b%parameters)
-    batch%hist_old = c_loc(hist_old)
-    batch%hist_new = c_loc(many%hist_new)
+    batch%history_accepted = c_loc(history_accepted)
+    batch%history_trial = c_loc(many%history_trial)
     batch%f = c_loc(many%f)
     batch%k = c_loc(many%k)
     batch%output = c_loc(many%output)
@@ -301,7 +301,7 @@ contains
   end function scatters
 
   subroutine other_outputs()
-    call client_check(all(transfer(many%hist_new, [0_i8]) == transfer(single%hist_new, [0_i8])) &
+    call client_check(all(transfer(many%history_trial, [0_i8]) == transfer(single%history_trial, [0_i8])) &
       .and. all(transfer(many%output, [0_i8]) == transfer(single%output, [0_i8])) &
       .and. client_same(many%energy, single%energy), 'batch: scattered, the other outputs')
   end subroutine other_outputs
@@ -362,7 +362,7 @@ contains
       if (e == 2) cycle
       pass = pass .and. many%code(e) == CTE_SUCCESS .and. many%status(e) == single%status(e) &
         .and. client_same(many%f(:, e), single%f(:, e)) .and. client_same(many%k(:, e), single%k(:, e)) &
-        .and. client_same(many%hist_new(:, e), single%hist_new(:, e))
+        .and. client_same(many%history_trial(:, e), single%history_trial(:, e))
     end do
     call client_check(pass, 'batch: one contact fails, the others are valid')
   end subroutine one_failure

@@ -27,7 +27,7 @@ static void edges(bench *any, double x, double z)
   bench_set(any, "eps_n", eps_n);
   bench_set(any, "r0", 0.0);
   bench_set(any, "orientation", 0.0);
-  cte_element_history_init(any->element, any->hist_old);
+  cte_element_history_init(any->element, any->history_accepted);
 }
 
 /* Lifts the slave, evaluates, accepts. */
@@ -36,7 +36,7 @@ static int lifted(bench *any, double z)
   any->u[2] = any->u[5] = z;
   if (bench_evaluate(any) != CTE_SUCCESS)
     return 0;
-  memcpy(any->hist_old, any->out.hist_new, HISTORY * sizeof any->hist_old[0]);
+  memcpy(any->history_accepted, any->out.history_trial, HISTORY * sizeof any->history_accepted[0]);
   return 1;
 }
 
@@ -46,10 +46,10 @@ static void crossing(void)
     const double side = from == 0 ? 1.0 : -1.0;
     edges(&a, -1.0, 0.125 * side);
     int pass = a.info.history == HISTORY && lifted(&a, 0.0) && a.a.status == CTE_STATUS_OPEN &&
-               a.hist_old[SIDE + 2] == side;
+               a.history_accepted[SIDE + 2] == side;
     client_check(pass, client_text("edges apart, side", from));
     pass = lifted(&a, -0.1875 * side) && a.a.status == CTE_STATUS_CLOSED && a.out.output[1] == -0.0625 &&
-           a.out.f[2] + a.out.f[5] == -eps_n * 0.0625 * side && a.hist_old[SIDE + 2] == side;
+           a.out.f[2] + a.out.f[5] == -eps_n * 0.0625 * side && a.history_accepted[SIDE + 2] == side;
     client_check(pass, client_text("edges crossed, side", from));
   }
 }
@@ -63,9 +63,9 @@ static void chain(void)
   int pass = lifted(&a, 0.0) && lifted(&a, -0.1875);
   b.u[2] = b.u[5] = -0.1875;
   pass = pass && bench_evaluate(&b) == CTE_SUCCESS && b.a.status == CTE_STATUS_OUTSIDE &&
-         cte_history_transfer(a.element, a.out.output, a.out.hist_new, b.element, b.out.output, b.out.hist_new,
+         cte_history_transfer(a.element, a.out.output, a.out.history_trial, b.element, b.out.output, b.out.history_trial,
                               &argument) == CTE_SUCCESS;
-  memcpy(b.hist_old, b.out.hist_new, HISTORY * sizeof b.hist_old[0]);
+  memcpy(b.history_accepted, b.out.history_trial, HISTORY * sizeof b.history_accepted[0]);
   b.u[0] = b.u[3] = 0.5;
   pass = pass && argument == CTE_ARGUMENT_NONE && bench_evaluate(&b) == CTE_SUCCESS &&
          b.a.status == CTE_STATUS_CLOSED && b.out.output[1] == -0.0625;
@@ -75,22 +75,22 @@ static void chain(void)
 static void refused(void)
 {
   edges(&a, -1.0, 0.125);
-  a.a.hist_old = NULL;
+  a.a.history_accepted = NULL;
   bench_canary(&a);
-  int pass = bench_evaluate(&a) == CTE_ERROR_NULL && a.a.error_argument == CTE_ARGUMENT_HISTORY_OLD &&
+  int pass = bench_evaluate(&a) == CTE_ERROR_NULL && a.a.error_argument == CTE_ARGUMENT_HISTORY_ACCEPTED &&
              bench_untouched(&a);
   client_check(pass, "edges without orientation and history");
   bench_set(&a, "orientation", 1.0);
   pass = bench_evaluate(&a) == CTE_SUCCESS;
   client_check(pass, "edges with orientation, without history");
   edges(&a, -1.0, 0.125);
-  a.hist_old[SIDE] = 0.5;
+  a.history_accepted[SIDE] = 0.5;
   bench_canary(&a);
-  pass = bench_evaluate(&a) == CTE_ERROR_HISTORY && a.a.error_argument == CTE_ARGUMENT_HISTORY_OLD &&
+  pass = bench_evaluate(&a) == CTE_ERROR_HISTORY && a.a.error_argument == CTE_ARGUMENT_HISTORY_ACCEPTED &&
          a.a.error_index == SIDE && bench_untouched(&a);
   client_check(pass, "edges with a normal that is none");
   edges(&a, -1.0, 0.125);
-  a.hist_old[SIDE] = 1.0;
+  a.history_accepted[SIDE] = 1.0;
   bench_canary(&a);
   pass = bench_evaluate(&a) == CTE_CUT_BACK && a.a.status == CTE_STATUS_NOT_UNIQUE && bench_untouched(&a);
   client_check(pass, "edges that turned by a right angle");

@@ -33,7 +33,7 @@ contains
     call bench_set(any_bench, 'eps_n', eps_n)
     call bench_set(any_bench, 'r0', 0.0_dp)
     call bench_set(any_bench, 'orientation', 0.0_dp)
-    code = cte_element_history_init(any_bench%element, any_bench%hist_old)
+    code = cte_element_history_init(any_bench%element, any_bench%history_accepted)
   end subroutine edges
 
   ! Lifts the slave, evaluates, accepts.
@@ -43,7 +43,7 @@ contains
     logical :: pass
     any_bench%u([3, 6]) = z
     pass = bench_evaluate(any_bench) == CTE_SUCCESS
-    if (pass) any_bench%hist_old(:history_size) = any_bench%out%hist_new(:history_size)
+    if (pass) any_bench%history_accepted(:history_size) = any_bench%out%history_trial(:history_size)
   end function lifted
 
   subroutine crossing()
@@ -55,11 +55,11 @@ contains
       call edges(a, -1.0_dp, 0.125_dp*side)
       pass = lifted(a, 0.0_dp)
       pass = pass .and. a%info%history == history_size .and. a%a%status == CTE_STATUS_OPEN &
-        .and. client_same(a%hist_old(6:6), [side])
+        .and. client_same(a%history_accepted(6:6), [side])
       call client_check(pass, client_text('edges apart, side', int(from, i8)))
       pass = lifted(a, -0.1875_dp*side)
       pass = pass .and. a%a%status == CTE_STATUS_CLOSED .and. client_same(a%out%output(2:2), [-0.0625_dp]) &
-        .and. client_same([a%out%f(3) + a%out%f(6)], [-eps_n*0.0625_dp*side]) .and. client_same(a%hist_old(6:6), [side])
+        .and. client_same([a%out%f(3) + a%out%f(6)], [-eps_n*0.0625_dp*side]) .and. client_same(a%history_accepted(6:6), [side])
       call client_check(pass, client_text('edges crossed, side', int(from, i8)))
     end do
   end subroutine crossing
@@ -76,9 +76,9 @@ contains
     b%u([3, 6]) = -0.1875_dp
     pass = bench_evaluate(b) == CTE_SUCCESS .and. pass
     pass = pass .and. b%a%status == CTE_STATUS_OUTSIDE
-    pass = cte_history_transfer(a%element, a%out%output, a%out%hist_new, b%element, b%out%output, b%out%hist_new, &
+    pass = cte_history_transfer(a%element, a%out%output, a%out%history_trial, b%element, b%out%output, b%out%history_trial, &
       argument) == CTE_SUCCESS .and. pass
-    b%hist_old(:history_size) = b%out%hist_new(:history_size)
+    b%history_accepted(:history_size) = b%out%history_trial(:history_size)
     b%u([1, 4]) = 0.5_dp
     pass = bench_evaluate(b) == CTE_SUCCESS .and. pass
     pass = pass .and. argument == CTE_ARGUMENT_NONE .and. b%a%status == CTE_STATUS_CLOSED &
@@ -89,22 +89,22 @@ contains
   subroutine refused()
     logical :: pass
     call edges(a, -1.0_dp, 0.125_dp)
-    a%a%hist_old = c_null_ptr
+    a%a%history_accepted = c_null_ptr
     call bench_canary(a)
     pass = bench_evaluate(a) == CTE_ERROR_NULL
-    pass = pass .and. a%a%error_argument == CTE_ARGUMENT_HISTORY_OLD .and. bench_untouched(a)
+    pass = pass .and. a%a%error_argument == CTE_ARGUMENT_HISTORY_ACCEPTED .and. bench_untouched(a)
     call client_check(pass, 'edges without orientation and history')
     call bench_set(a, 'orientation', 1.0_dp)
     pass = bench_evaluate(a) == CTE_SUCCESS
     call client_check(pass, 'edges with orientation, without history')
     call edges(a, -1.0_dp, 0.125_dp)
-    a%hist_old(4) = 0.5_dp
+    a%history_accepted(4) = 0.5_dp
     call bench_canary(a)
     pass = bench_evaluate(a) == CTE_ERROR_HISTORY
-    pass = pass .and. a%a%error_argument == CTE_ARGUMENT_HISTORY_OLD .and. a%a%error_index == 3 .and. bench_untouched(a)
+    pass = pass .and. a%a%error_argument == CTE_ARGUMENT_HISTORY_ACCEPTED .and. a%a%error_index == 3 .and. bench_untouched(a)
     call client_check(pass, 'edges with a normal that is none')
     call edges(a, -1.0_dp, 0.125_dp)
-    a%hist_old(4) = 1
+    a%history_accepted(4) = 1
     call bench_canary(a)
     pass = bench_evaluate(a) == CTE_CUT_BACK
     pass = pass .and. a%a%status == CTE_STATUS_NOT_UNIQUE .and. bench_untouched(a)

@@ -11,7 +11,7 @@ static bench b, reference;
 static int same_as_reference(void)
 {
   return client_same(b.out.f, reference.out.f, N) && client_same(b.out.k, reference.out.k, N * N) &&
-         client_same(b.out.hist_new, reference.out.hist_new, b.info.history) &&
+         client_same(b.out.history_trial, reference.out.history_trial, b.info.history) &&
          client_same(b.out.output, reference.out.output, CTE_OUTPUT_SIZE) &&
          client_same(b.out.energy, reference.out.energy, 1);
 }
@@ -78,8 +78,8 @@ static void evaluate_77(int32_t index)
   static double k[LDK * N];
   int pass;
   bench_canary(&b);
-  cte_f77_evaluate_(&index, &request, &nnode, &nslave, b.x, b.u, b.parameters, &b.info.parameters, b.hist_old,
-                    b.out.hist_new, b.row, b.out.f, k, &ldk, b.out.output, b.out.energy, &status, &code);
+  cte_f77_evaluate_(&index, &request, &nnode, &nslave, b.x, b.u, b.parameters, &b.info.parameters, b.history_accepted,
+                    b.out.history_trial, b.row, b.out.f, k, &ldk, b.out.output, b.out.energy, &status, &code);
   pass = code == CTE_SUCCESS && status == CTE_STATUS_CLOSED;
   for (int i = 0; i < N; i++)
     for (int j = 0; j < N; j++)
@@ -89,10 +89,10 @@ static void evaluate_77(int32_t index)
   bench_canary(&b);
   const double untouched = b.out.k[0];
   cte_f77_evaluate_(&index, &residual_only, &nnode, &nslave, b.x, b.u, b.parameters, &b.info.parameters,
-                    b.hist_old, b.out.hist_new, b.row, b.out.f, b.out.k, &ldk, b.out.output, b.out.energy, &status,
+                    b.history_accepted, b.out.history_trial, b.row, b.out.f, b.out.k, &ldk, b.out.output, b.out.energy, &status,
                     &code);
   client_check(code == CTE_SUCCESS && client_same(b.out.f, reference.out.f, N) &&
-                   client_same(b.out.k, &untouched, 1) && client_same(b.out.hist_new, &untouched, 1) &&
+                   client_same(b.out.k, &untouched, 1) && client_same(b.out.history_trial, &untouched, 1) &&
                    client_same(b.out.output, &untouched, 1) && client_same(b.out.energy, &untouched, 1),
                "F77 residual alone touches nothing else");
 }
@@ -108,7 +108,7 @@ static void others_77(int32_t index)
   client_check(memcmp(sizes, expected, sizeof sizes) == 0, "F77 info");
   memset(history, 0x5a, sizeof history);
   cte_f77_history_init_(&index, history, &code);
-  client_check(code == CTE_SUCCESS && client_same(history, b.hist_old, b.info.history), "F77 history_init");
+  client_check(code == CTE_SUCCESS && client_same(history, b.history_accepted, b.info.history), "F77 history_init");
 }
 
 void interface_entries(void)

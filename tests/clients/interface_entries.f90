@@ -40,7 +40,7 @@ contains
     logical :: same
     same = client_same(b%out%f(:n), reference%out%f(:n)) &
       .and. client_same(b%out%k(:n*n), reference%out%k(:n*n)) &
-      .and. client_same(b%out%hist_new(:b%info%history), reference%out%hist_new(:b%info%history)) &
+      .and. client_same(b%out%history_trial(:b%info%history), reference%out%history_trial(:b%info%history)) &
       .and. client_same(b%out%output(:CTE_OUTPUT_SIZE), reference%out%output(:CTE_OUTPUT_SIZE)) &
       .and. client_same(b%out%energy, reference%out%energy)
   end function same_as_reference
@@ -170,15 +170,15 @@ contains
     k = 0
     call bench_canary(b)
     call cte_f77_evaluate(element_index, request, 5_i4, 0_i4, b%x, b%u, b%parameters, b%info%parameters, &
-      b%hist_old, b%out%hist_new, b%row, b%out%f, k, int(ldk, i4), b%out%output, b%out%energy(1), status, code)
+      b%history_accepted, b%out%history_trial, b%row, b%out%f, k, int(ldk, i4), b%out%output, b%out%energy(1), status, code)
     b%out%k(:n*n) = reshape(transpose(k(:n, :)), [n*n])
     call client_check(code == CTE_SUCCESS .and. status == CTE_STATUS_CLOSED .and. same_as_reference(), &
       'F77 evaluate')
     call bench_canary(b)
     call cte_f77_evaluate(element_index, CTE_RESIDUAL, 5_i4, 0_i4, b%x, b%u, b%parameters, b%info%parameters, &
-      b%hist_old, b%out%hist_new, b%row, b%out%f, b%out%k, int(ldk, i4), b%out%output, b%out%energy(1), status, &
+      b%history_accepted, b%out%history_trial, b%row, b%out%f, b%out%k, int(ldk, i4), b%out%output, b%out%energy(1), status, &
       code)
-    untouched = client_same(b%out%k(:1), [canary()]) .and. client_same(b%out%hist_new(:1), [canary()]) &
+    untouched = client_same(b%out%k(:1), [canary()]) .and. client_same(b%out%history_trial(:1), [canary()]) &
       .and. client_same(b%out%output(:1), [canary()]) .and. client_same(b%out%energy, [canary()])
     call client_check(code == CTE_SUCCESS .and. client_same(b%out%f(:n), reference%out%f(:n)) .and. untouched, &
       'F77 residual alone touches nothing else')
@@ -195,7 +195,7 @@ contains
     history = canary()
     code = -1
     call cte_f77_history_init(element_index, history, code)
-    call client_check(code == CTE_SUCCESS .and. client_same(history(:b%info%history), b%hist_old(:b%info%history)), &
+    call client_check(code == CTE_SUCCESS .and. client_same(history(:b%info%history), b%history_accepted(:b%info%history)), &
       'F77 history_init')
   end subroutine others_77
 

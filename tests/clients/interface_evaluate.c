@@ -27,7 +27,7 @@ static double k_of(const bench *any, int i, int j)
 static int same_as_reference(void)
 {
   return client_same(b.out.f, reference.out.f, N) && client_same(b.out.k, reference.out.k, N * N) &&
-         client_same(b.out.hist_new, reference.out.hist_new, b.info.history) &&
+         client_same(b.out.history_trial, reference.out.history_trial, b.info.history) &&
          client_same(b.out.output, reference.out.output, CTE_OUTPUT_SIZE) &&
          client_same(b.out.energy, reference.out.energy, 1);
 }
@@ -59,8 +59,8 @@ static void outputs(void)
   client_check(fabs(reference.out.energy[0] - eps_n * gap * gap / 2.0) < 1e-14, "closed: energy = eps_n g^2/2");
   client_check(slave < 1e-12 && fabs(total[0]) + fabs(total[1]) + fabs(total[2]) < 1e-12,
                "closed: slave force = N n, forces in balance");
-  client_check(reference.out.hist_new[0] == CTE_STATUS_CLOSED &&
-                   client_same(&reference.out.hist_new[1], &out[CTE_OUTPUT_PROJECTION], 2),
+  client_check(reference.out.history_trial[0] == CTE_STATUS_CLOSED &&
+                   client_same(&reference.out.history_trial[1], &out[CTE_OUTPUT_PROJECTION], 2),
                "closed: history = status, projection");
   bench_open(&b, "PointQuad4");
   client_check(evaluated() && same_as_reference(), "same input, same bits");
@@ -124,8 +124,8 @@ static void inputs(void)
   b.a.t = b.a.dt = 0.7;
   b.a.nnode = 5;
   client_check(evaluated() && same_as_reference(), "arguments that are not used");
-  b.a.hist_old = NULL;
-  client_check(evaluated() && same_as_reference(), "hist_old null starts at the centre");
+  b.a.history_accepted = NULL;
+  client_check(evaluated() && same_as_reference(), "history_accepted null starts at the centre");
   bench_open(&b, "PointQuad4");
   memcpy(b.u, b.x, sizeof b.x);
   memset(b.x, 0, sizeof b.x);
@@ -161,25 +161,25 @@ static void scales(void)
 static void history(void)
 {
   bench_open(&b, "PointQuad4");
-  memcpy(b.out.hist_new, b.hist_old, sizeof b.hist_old);
-  b.a.hist_old = b.out.hist_new;
+  memcpy(b.out.history_trial, b.history_accepted, sizeof b.history_accepted);
+  b.a.history_accepted = b.out.history_trial;
   client_check(bench_evaluate(&b) == CTE_SUCCESS && client_same(b.out.f, reference.out.f, N) &&
                    client_same(b.out.k, reference.out.k, N * N) &&
-                   client_same(b.out.hist_new, reference.out.hist_new, b.info.history),
-               "hist_old and hist_new the same array");
+                   client_same(b.out.history_trial, reference.out.history_trial, b.info.history),
+               "history_accepted and history_trial the same array");
   bench_open(&b, "PointQuad4");
   b.a.request &= ~CTE_HISTORY;
   bench_canary(&b);
-  const double canary = b.out.hist_new[0];
-  client_check(bench_evaluate(&b) == CTE_SUCCESS && client_same(b.out.hist_new, &canary, 1),
-               "hist_new untouched without CTE_HISTORY");
+  const double canary = b.out.history_trial[0];
+  client_check(bench_evaluate(&b) == CTE_SUCCESS && client_same(b.out.history_trial, &canary, 1),
+               "history_trial untouched without CTE_HISTORY");
   bench_open(&b, "PointQuad4");
-  memcpy(b.hist_old, reference.out.hist_new, sizeof b.hist_old);
+  memcpy(b.history_accepted, reference.out.history_trial, sizeof b.history_accepted);
   b.a.request |= CTE_PROJECTION_GIVEN;
   client_check(evaluated() && b.out.output[CTE_OUTPUT_ITERATIONS] == 0.0 &&
                    client_near(b.out.f, reference.out.f, N, 1e-13) &&
                    client_near(b.out.k, reference.out.k, N * N, 1e-13),
-               "CTE_PROJECTION_GIVEN takes the projection of hist_old");
+               "CTE_PROJECTION_GIVEN takes the projection of history_accepted");
 }
 
 static int all_zero(const double *values, int n)
@@ -200,16 +200,16 @@ static void states(void)
   bench_open(&b, "PointQuad4");
   b.x[2] = 1.2; /* the slave above the facet */
   client_check(evaluated() && b.a.status == CTE_STATUS_OPEN && nothing_written_but_zero() &&
-                   b.out.output[CTE_OUTPUT_GAP] > 0.1 && b.out.hist_new[0] == CTE_STATUS_OPEN,
+                   b.out.output[CTE_OUTPUT_GAP] > 0.1 && b.out.history_trial[0] == CTE_STATUS_OPEN,
                "open: zeros");
   b.a.request |= CTE_FREEZE_STATE;
-  b.hist_old[0] = CTE_STATUS_CLOSED;
+  b.history_accepted[0] = CTE_STATUS_CLOSED;
   client_check(evaluated() && b.a.status == CTE_STATUS_CLOSED &&
                    fabs(b.out.output[CTE_OUTPUT_NORMAL_TRACTION] - eps_n * b.out.output[CTE_OUTPUT_GAP]) < 1e-12 &&
                    b.out.f[2] > 1.0,
                "CTE_FREEZE_STATE: closed in spite of its gap");
   b.x[2] = 0.9;
-  b.hist_old[0] = CTE_STATUS_OPEN;
+  b.history_accepted[0] = CTE_STATUS_OPEN;
   client_check(evaluated() && b.a.status == CTE_STATUS_OPEN && nothing_written_but_zero(),
                "CTE_FREEZE_STATE: open in spite of its gap");
   bench_open(&b, "PointQuad4");

@@ -36,7 +36,7 @@ contains
     logical :: same
     same = client_same(b%out%f(:n), reference%out%f(:n)) &
       .and. client_same(b%out%k(:n*n), reference%out%k(:n*n)) &
-      .and. client_same(b%out%hist_new(:b%info%history), reference%out%hist_new(:b%info%history)) &
+      .and. client_same(b%out%history_trial(:b%info%history), reference%out%history_trial(:b%info%history)) &
       .and. client_same(b%out%output(:CTE_OUTPUT_SIZE), reference%out%output(:CTE_OUTPUT_SIZE)) &
       .and. client_same(b%out%energy, reference%out%energy)
   end function same_as_reference
@@ -65,8 +65,8 @@ contains
       'closed: energy = eps_n g^2/2')
     call client_check(all(abs(f(:, 1) - out(traction)*out(normal:normal + 2)) < 1e-12_dp) &
       .and. sum(abs(total)) < 1e-12_dp, 'closed: slave force = N n, forces in balance')
-    call client_check(nint(reference%out%hist_new(1)) == CTE_STATUS_CLOSED &
-      .and. client_same(reference%out%hist_new(2:3), out(projection:projection + 1)), &
+    call client_check(nint(reference%out%history_trial(1)) == CTE_STATUS_CLOSED &
+      .and. client_same(reference%out%history_trial(2:3), out(projection:projection + 1)), &
       'closed: history = status, projection')
     call bench_open(b, 'PointQuad4')
     pass = evaluated()
@@ -132,9 +132,9 @@ contains
     b%a%nnode = 5
     pass = evaluated()
     call client_check(pass .and. same_as_reference(), 'arguments that are not used')
-    b%a%hist_old = c_null_ptr
+    b%a%history_accepted = c_null_ptr
     pass = evaluated()
-    call client_check(pass .and. same_as_reference(), 'hist_old null starts at the centre')
+    call client_check(pass .and. same_as_reference(), 'history_accepted null starts at the centre')
     call bench_open(b, 'PointQuad4')
     b%u = b%x
     b%x = 0
@@ -173,25 +173,26 @@ contains
     integer :: h
     h = b%info%history
     call bench_open(b, 'PointQuad4')
-    b%out%hist_new = b%hist_old
-    b%a%hist_old = c_loc(b%out%hist_new)
+    b%out%history_trial = b%history_accepted
+    b%a%history_accepted = c_loc(b%out%history_trial)
     pass = bench_evaluate(b) == CTE_SUCCESS
     call client_check(pass .and. client_same(b%out%f(:n), reference%out%f(:n)) &
       .and. client_same(b%out%k(:n*n), reference%out%k(:n*n)) &
-      .and. client_same(b%out%hist_new(:h), reference%out%hist_new(:h)), 'hist_old and hist_new the same array')
+      .and. client_same(b%out%history_trial(:h), reference%out%history_trial(:h)), &
+      'history_accepted and history_trial the same array')
     call bench_open(b, 'PointQuad4')
     b%a%request = iand(b%a%request, not(CTE_HISTORY))
     pass = evaluated()
-    call client_check(pass .and. client_same(b%out%hist_new(:h), spread(canary(), 1, h)), &
-      'hist_new untouched without CTE_HISTORY')
+    call client_check(pass .and. client_same(b%out%history_trial(:h), spread(canary(), 1, h)), &
+      'history_trial untouched without CTE_HISTORY')
     call bench_open(b, 'PointQuad4')
-    b%hist_old(:h) = reference%out%hist_new(:h)
+    b%history_accepted(:h) = reference%out%history_trial(:h)
     b%a%request = ior(b%a%request, CTE_PROJECTION_GIVEN)
     pass = evaluated()
     call client_check(pass .and. abs(b%out%output(iteration)) <= 0 &
       .and. client_near(b%out%f(:n), reference%out%f(:n), 1e-13_dp) &
       .and. client_near(b%out%k(:n*n), reference%out%k(:n*n), 1e-13_dp), &
-      'CTE_PROJECTION_GIVEN takes the projection of hist_old')
+      'CTE_PROJECTION_GIVEN takes the projection of history_accepted')
   end subroutine history
 
   function nothing_written_but_zero() result(zero)
@@ -213,16 +214,16 @@ contains
     call bench_open(b, 'PointQuad4')
     b%x(3) = 1.2_dp ! the slave above the facet
     pass = inactive(CTE_STATUS_OPEN)
-    call client_check(pass .and. b%out%output(gap) > 0.1_dp .and. nint(b%out%hist_new(1)) == CTE_STATUS_OPEN, &
+    call client_check(pass .and. b%out%output(gap) > 0.1_dp .and. nint(b%out%history_trial(1)) == CTE_STATUS_OPEN, &
       'open: zeros')
     b%a%request = ior(b%a%request, CTE_FREEZE_STATE)
-    b%hist_old(1) = CTE_STATUS_CLOSED
+    b%history_accepted(1) = CTE_STATUS_CLOSED
     pass = evaluated()
     call client_check(pass .and. b%a%status == CTE_STATUS_CLOSED .and. b%out%f(3) > 1 &
       .and. abs(b%out%output(traction) - eps_n*b%out%output(gap)) < 1e-12_dp, &
       'CTE_FREEZE_STATE: closed in spite of its gap')
     b%x(3) = 0.9_dp
-    b%hist_old(1) = CTE_STATUS_OPEN
+    b%history_accepted(1) = CTE_STATUS_OPEN
     call client_check(inactive(CTE_STATUS_OPEN), 'CTE_FREEZE_STATE: open in spite of its gap')
     call bench_open(b, 'PointQuad4')
     b%x(1) = 1.5_dp ! beside the facet, half way along an edge

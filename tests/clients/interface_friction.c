@@ -28,7 +28,7 @@ static int evaluated(int32_t status)
 {
   bench_canary(&b);
   return bench_evaluate(&b) == CTE_SUCCESS && b.a.status == status &&
-         b.out.output[CTE_OUTPUT_STATUS] == status && b.out.hist_new[CTE_HISTORY_STATUS] == status;
+         b.out.output[CTE_OUTPUT_STATUS] == status && b.out.history_trial[CTE_HISTORY_STATUS] == status;
 }
 
 static void move(double x, double y)
@@ -39,7 +39,7 @@ static void move(double x, double y)
 
 static void accept(void)
 {
-  memcpy(b.hist_old, b.out.hist_new, HISTORY * sizeof b.hist_old[0]);
+  memcpy(b.history_accepted, b.out.history_trial, HISTORY * sizeof b.history_accepted[0]);
 }
 
 /* The friction on the slave, T_1 d_1 + T_2 d_2, is (x, y, 0); f holds it with the other sign. */
@@ -72,7 +72,7 @@ static void begins(void)
   client_check(b.info.history == HISTORY && b.info.symmetric == 0 && b.info.projected == 2,
                "friction: history of 2 + 2 P entries, no symmetry");
   int pass = opened(&plain, "PointQuad4") && bench_evaluate(&plain) == CTE_SUCCESS && evaluated(CTE_STATUS_STICK);
-  const double *t = &b.out.output[CTE_OUTPUT_TANGENTIAL_TRACTION], *h = b.out.hist_new;
+  const double *t = &b.out.output[CTE_OUTPUT_TANGENTIAL_TRACTION], *h = b.out.history_trial;
   client_check(pass && t[0] == 0.0 && t[1] == 0.0 && client_near(b.out.f, plain.out.f, N, 1e-14) &&
                    client_near(b.out.k, plain.out.k, N * N, 1e-14),
                "friction begins: no tangential force, no tangential stiffness");
@@ -80,13 +80,13 @@ static void begins(void)
                    client_same(&h[CTE_HISTORY_PROJECTION], &b.out.output[CTE_OUTPUT_PROJECTION], 2),
                "friction begins: the anchor is the projection");
   memcpy(history, h, sizeof history);
-  b.a.hist_old = NULL;
-  client_check(evaluated(CTE_STATUS_STICK) && client_same(history, b.out.hist_new, HISTORY),
-               "friction begins without hist_old too");
-  b.a.hist_old = b.hist_old;
-  b.hist_old[CTE_HISTORY_STATUS] = CTE_STATUS_OUTSIDE;
-  b.hist_old[ANCHOR] = 0.9;
-  client_check(evaluated(CTE_STATUS_STICK) && client_same(history, b.out.hist_new, HISTORY),
+  b.a.history_accepted = NULL;
+  client_check(evaluated(CTE_STATUS_STICK) && client_same(history, b.out.history_trial, HISTORY),
+               "friction begins without history_accepted too");
+  b.a.history_accepted = b.history_accepted;
+  b.history_accepted[CTE_HISTORY_STATUS] = CTE_STATUS_OUTSIDE;
+  b.history_accepted[ANCHOR] = 0.9;
+  client_check(evaluated(CTE_STATUS_STICK) && client_same(history, b.out.history_trial, HISTORY),
                "friction begins where the history says outside");
   client_check(plain.info.history == 3 && plain.out.output[CTE_OUTPUT_TANGENTIAL_TRACTION] == 0.0 &&
                    client_same(&plain.out.output[CTE_OUTPUT_TANGENTS], &b.out.output[CTE_OUTPUT_TANGENTS], 6),
@@ -97,11 +97,11 @@ static void sticks(void)
 {
   static double anchor[2];
   accept();
-  memcpy(anchor, &b.hist_old[ANCHOR], sizeof anchor);
+  memcpy(anchor, &b.history_accepted[ANCHOR], sizeof anchor);
   move(0.01, -0.02);
   client_check(evaluated(CTE_STATUS_STICK) && friction_is(-0.5, 1.0), "stick: T = eps_t s, against the motion");
-  client_check(client_same(anchor, &b.out.hist_new[ANCHOR], 2) && b.out.hist_new[PATH] == 0.0 &&
-                   !client_same(anchor, &b.out.hist_new[CTE_HISTORY_PROJECTION], 2),
+  client_check(client_same(anchor, &b.out.history_trial[ANCHOR], 2) && b.out.history_trial[PATH] == 0.0 &&
+                   !client_same(anchor, &b.out.history_trial[CTE_HISTORY_PROJECTION], 2),
                "stick: the anchor stays");
   client_check(fabs(b.out.energy[0] - eps_n * 0.05 * 0.05 / 2.0 - 1.25 / (2.0 * eps_t)) < 1e-14,
                "stick: energy = W + T^2/(2 eps_t)");
@@ -113,17 +113,17 @@ static void slides(void)
   static double first[N];
   move(0.03, -0.04);
   client_check(evaluated(CTE_STATUS_SLIP) && friction_is(-0.75, 1.0), "slip: |T| = mu |N| against the slip");
-  client_check(fabs(b.out.hist_new[PATH] - 0.025) < 1e-14 &&
-                   fabs(b.out.hist_new[1] - b.out.hist_new[ANCHOR] - 0.015) < 1e-14 &&
-                   fabs(b.out.hist_new[2] - b.out.hist_new[ANCHOR + 1] + 0.02) < 1e-14,
+  client_check(fabs(b.out.history_trial[PATH] - 0.025) < 1e-14 &&
+                   fabs(b.out.history_trial[1] - b.out.history_trial[ANCHOR] - 0.015) < 1e-14 &&
+                   fabs(b.out.history_trial[2] - b.out.history_trial[ANCHOR + 1] + 0.02) < 1e-14,
                "slip: the anchor follows at the elastic distance, the path grows");
   client_check(asymmetry() > 0.1, "slip: K is not symmetric");
   memcpy(first, b.out.f, sizeof first);
-  client_check(evaluated(CTE_STATUS_SLIP) && client_same(first, b.out.f, N), "no evaluation reads hist_new");
+  client_check(evaluated(CTE_STATUS_SLIP) && client_same(first, b.out.f, N), "no evaluation reads history_trial");
   accept();
   bench_canary(&b);
   client_check(bench_evaluate(&b) == CTE_SUCCESS && client_near(b.out.f, first, N, 1e-13) &&
-                   fabs(b.out.hist_new[PATH] - 0.025) < 1e-14,
+                   fabs(b.out.history_trial[PATH] - 0.025) < 1e-14,
                "slip accepted: the same force at the same place");
   move(0.02, -0.04);
   client_check(evaluated(CTE_STATUS_STICK) && friction_is(-0.25, 1.0), "turned back: elastic from the bound");
@@ -138,12 +138,12 @@ static void frozen(void)
   b.a.request |= CTE_FREEZE_STATE;
   move(0.03, -0.04);
   client_check(evaluated(CTE_STATUS_STICK) && friction_is(-1.5, 2.0), "CTE_FREEZE_STATE: sticks beyond the bound");
-  b.hist_old[CTE_HISTORY_STATUS] = CTE_STATUS_CLOSED;
+  b.history_accepted[CTE_HISTORY_STATUS] = CTE_STATUS_CLOSED;
   client_check(evaluated(CTE_STATUS_SLIP) && friction_is(-0.75, 1.0), "CTE_FREEZE_STATE: closed, the law decides");
-  b.hist_old[CTE_HISTORY_STATUS] = CTE_STATUS_SLIP;
+  b.history_accepted[CTE_HISTORY_STATUS] = CTE_STATUS_SLIP;
   move(0.003, -0.004);
   client_check(evaluated(CTE_STATUS_SLIP) && friction_is(-0.75, 1.0), "CTE_FREEZE_STATE: slides below the bound");
-  b.hist_old[CTE_HISTORY_STATUS] = CTE_STATUS_OPEN;
+  b.history_accepted[CTE_HISTORY_STATUS] = CTE_STATUS_OPEN;
   client_check(evaluated(CTE_STATUS_OPEN) && b.out.f[2] == 0.0, "CTE_FREEZE_STATE: open");
 }
 
@@ -159,12 +159,12 @@ static void rank(void)
   }
   memcpy(b.x, x, sizeof x);
   int pass = evaluated(CTE_STATUS_STICK) && b.a.closed_points == 2 && b.info.history == 8;
-  memcpy(b.hist_old, b.out.hist_new, 4 * sizeof b.hist_old[0]);
+  memcpy(b.history_accepted, b.out.history_trial, 4 * sizeof b.history_accepted[0]);
   bench_set(&b, "eps_t", 1000.0);
   b.u[0] = b.u[2] = 0.1;
   bench_canary(&b);
-  pass = pass && bench_evaluate(&b) == CTE_SUCCESS && b.out.hist_new[0] == CTE_STATUS_SLIP &&
-         b.out.hist_new[4] == CTE_STATUS_STICK && b.a.status == CTE_STATUS_SLIP && b.a.closed_points == 2;
+  pass = pass && bench_evaluate(&b) == CTE_SUCCESS && b.out.history_trial[0] == CTE_STATUS_SLIP &&
+         b.out.history_trial[4] == CTE_STATUS_STICK && b.a.status == CTE_STATUS_SLIP && b.a.closed_points == 2;
   client_check(pass, "the status of an element: slip before stick");
 }
 

@@ -29,7 +29,7 @@ contains
     call bench_canary(b)
     pass = bench_evaluate(b) == CTE_SUCCESS
     pass = pass .and. b%a%status == status .and. nint(b%out%output(1)) == status &
-      .and. nint(b%out%hist_new(1)) == status
+      .and. nint(b%out%history_trial(1)) == status
   end function evaluated
 
   subroutine move(x, y)
@@ -38,7 +38,7 @@ contains
   end subroutine move
 
   subroutine accept()
-    b%hist_old(:history_size) = b%out%hist_new(:history_size)
+    b%history_accepted(:history_size) = b%out%history_trial(:history_size)
   end subroutine accept
 
   pure function cross(a, c) result(product)
@@ -89,19 +89,19 @@ contains
     call client_check(pass .and. all(abs(t) <= 0) .and. client_near(b%out%f(:n), plain%out%f(:n), 1e-14_dp) &
       .and. client_near(b%out%k(:n*n), plain%out%k(:n*n), 1e-14_dp), &
       'friction begins: no tangential force, no tangential stiffness')
-    history = b%out%hist_new(:history_size)
+    history = b%out%history_trial(:history_size)
     call client_check(client_same(entries(history, CTE_HISTORY_PROJECTION, 2), entries(history, anchor_at, 2)) &
       .and. abs(history(path_at + 1)) <= 0 .and. client_same(entries(history, CTE_HISTORY_PROJECTION, 2), &
       entries(b%out%output, CTE_OUTPUT_PROJECTION, 2)), 'friction begins: the anchor is the projection')
-    b%a%hist_old = c_null_ptr
+    b%a%history_accepted = c_null_ptr
     pass = evaluated(CTE_STATUS_STICK)
-    call client_check(pass .and. client_same(history, b%out%hist_new(:history_size)), &
-      'friction begins without hist_old too')
-    b%a%hist_old = c_loc(b%hist_old)
-    b%hist_old(CTE_HISTORY_STATUS + 1) = CTE_STATUS_OUTSIDE
-    b%hist_old(anchor_at + 1) = 0.9_dp
+    call client_check(pass .and. client_same(history, b%out%history_trial(:history_size)), &
+      'friction begins without history_accepted too')
+    b%a%history_accepted = c_loc(b%history_accepted)
+    b%history_accepted(CTE_HISTORY_STATUS + 1) = CTE_STATUS_OUTSIDE
+    b%history_accepted(anchor_at + 1) = 0.9_dp
     pass = evaluated(CTE_STATUS_STICK)
-    call client_check(pass .and. client_same(history, b%out%hist_new(:history_size)), &
+    call client_check(pass .and. client_same(history, b%out%history_trial(:history_size)), &
       'friction begins where the history says outside')
     t = entries(plain%out%output, CTE_OUTPUT_TANGENTIAL_TRACTION, 2)
     call client_check(plain%info%history == 3 .and. all(abs(t) <= 0) .and. client_same( &
@@ -113,13 +113,13 @@ contains
     real(dp) :: anchor(2), new(2), expected
     logical :: pass
     call accept()
-    anchor = entries(b%hist_old, anchor_at, 2)
+    anchor = entries(b%history_accepted, anchor_at, 2)
     call move(0.01_dp, -0.02_dp)
     pass = evaluated(CTE_STATUS_STICK)
     call client_check(pass .and. friction_is(-0.5_dp, 1.0_dp), 'stick: T = eps_t s, against the motion')
-    new = entries(b%out%hist_new, CTE_HISTORY_PROJECTION, 2)
-    call client_check(client_same(anchor, entries(b%out%hist_new, anchor_at, 2)) &
-      .and. abs(b%out%hist_new(path_at + 1)) <= 0 .and. .not. client_same(anchor, new), 'stick: the anchor stays')
+    new = entries(b%out%history_trial, CTE_HISTORY_PROJECTION, 2)
+    call client_check(client_same(anchor, entries(b%out%history_trial, anchor_at, 2)) &
+      .and. abs(b%out%history_trial(path_at + 1)) <= 0 .and. .not. client_same(anchor, new), 'stick: the anchor stays')
     expected = eps_n*0.05_dp*0.05_dp/2 + 1.25_dp/(2*eps_t)
     call client_check(abs(b%out%energy(1) - expected) < 1e-14_dp, 'stick: energy = W + T^2/(2 eps_t)')
   end subroutine sticks
@@ -132,19 +132,19 @@ contains
     call move(0.03_dp, -0.04_dp)
     pass = evaluated(CTE_STATUS_SLIP)
     call client_check(pass .and. friction_is(-0.75_dp, 1.0_dp), 'slip: |T| = mu |N| against the slip')
-    apart = entries(b%out%hist_new, CTE_HISTORY_PROJECTION, 2) - entries(b%out%hist_new, anchor_at, 2)
-    call client_check(abs(b%out%hist_new(path_at + 1) - 0.025_dp) < 1e-14_dp &
+    apart = entries(b%out%history_trial, CTE_HISTORY_PROJECTION, 2) - entries(b%out%history_trial, anchor_at, 2)
+    call client_check(abs(b%out%history_trial(path_at + 1) - 0.025_dp) < 1e-14_dp &
       .and. all(abs(apart - [0.015_dp, -0.02_dp]) < 1e-14_dp), &
       'slip: the anchor follows at the elastic distance, the path grows')
     call client_check(asymmetry() > 0.1_dp, 'slip: K is not symmetric')
     first = b%out%f(:n)
     pass = evaluated(CTE_STATUS_SLIP)
-    call client_check(pass .and. client_same(first, b%out%f(:n)), 'no evaluation reads hist_new')
+    call client_check(pass .and. client_same(first, b%out%f(:n)), 'no evaluation reads history_trial')
     call accept()
     call bench_canary(b)
     code = bench_evaluate(b)
     call client_check(code == CTE_SUCCESS .and. client_near(b%out%f(:n), first, 1e-13_dp) &
-      .and. abs(b%out%hist_new(path_at + 1) - 0.025_dp) < 1e-14_dp, 'slip accepted: the same force at the same place')
+      .and. abs(b%out%history_trial(path_at + 1) - 0.025_dp) < 1e-14_dp, 'slip accepted: the same force at the same place')
     call move(0.02_dp, -0.04_dp)
     pass = evaluated(CTE_STATUS_STICK)
     call client_check(pass .and. friction_is(-0.25_dp, 1.0_dp), 'turned back: elastic from the bound')
@@ -160,14 +160,14 @@ contains
     call move(0.03_dp, -0.04_dp)
     pass = evaluated(CTE_STATUS_STICK)
     call client_check(pass .and. friction_is(-1.5_dp, 2.0_dp), 'CTE_FREEZE_STATE: sticks beyond the bound')
-    b%hist_old(1) = CTE_STATUS_CLOSED
+    b%history_accepted(1) = CTE_STATUS_CLOSED
     pass = evaluated(CTE_STATUS_SLIP)
     call client_check(pass .and. friction_is(-0.75_dp, 1.0_dp), 'CTE_FREEZE_STATE: closed, the law decides')
-    b%hist_old(1) = CTE_STATUS_SLIP
+    b%history_accepted(1) = CTE_STATUS_SLIP
     call move(0.003_dp, -0.004_dp)
     pass = evaluated(CTE_STATUS_SLIP)
     call client_check(pass .and. friction_is(-0.75_dp, 1.0_dp), 'CTE_FREEZE_STATE: slides below the bound')
-    b%hist_old(1) = CTE_STATUS_OPEN
+    b%history_accepted(1) = CTE_STATUS_OPEN
     pass = evaluated(CTE_STATUS_OPEN)
     call client_check(pass .and. abs(b%out%f(3)) <= 0, 'CTE_FREEZE_STATE: open')
   end subroutine frozen
@@ -186,14 +186,14 @@ contains
     b%x(:8) = [real(dp) :: 0, -0.1_dp, 1, -0.1_dp, -1, 0, 2, 0]
     pass = evaluated(CTE_STATUS_STICK)
     pass = pass .and. b%a%closed_points == 2 .and. b%info%history == 8
-    b%hist_old(:4) = b%out%hist_new(:4)
+    b%history_accepted(:4) = b%out%history_trial(:4)
     call bench_set(b, 'eps_t', 1000.0_dp)
     b%u(1) = 0.1_dp
     b%u(3) = 0.1_dp
     call bench_canary(b)
     code = bench_evaluate(b)
-    pass = pass .and. code == CTE_SUCCESS .and. nint(b%out%hist_new(1)) == CTE_STATUS_SLIP &
-      .and. nint(b%out%hist_new(5)) == CTE_STATUS_STICK .and. b%a%status == CTE_STATUS_SLIP &
+    pass = pass .and. code == CTE_SUCCESS .and. nint(b%out%history_trial(1)) == CTE_STATUS_SLIP &
+      .and. nint(b%out%history_trial(5)) == CTE_STATUS_STICK .and. b%a%status == CTE_STATUS_SLIP &
       .and. b%a%closed_points == 2
     call client_check(pass, 'the status of an element: slip before stick')
   end subroutine rank_of_status

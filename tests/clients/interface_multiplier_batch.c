@@ -21,14 +21,14 @@ enum {
 
 typedef struct results {
   double f[CONTACTS][N], k[CONTACTS][N * N];
-  double hist_new[CONTACTS][HISTORY], output[CONTACTS][CTE_OUTPUT_SIZE], energy[CONTACTS];
+  double history_trial[CONTACTS][HISTORY], output[CONTACTS][CTE_OUTPUT_SIZE], energy[CONTACTS];
   int32_t status[CONTACTS], code[CONTACTS];
 } results;
 
 static bench b;
 static cte_batch batch;
 static results single, many;
-static double x[NODES][3], u[NODES][3], hist_old[CONTACTS][HISTORY];
+static double x[NODES][3], u[NODES][3], history_accepted[CONTACTS][HISTORY];
 static int32_t connectivity[CONTACTS][PER];
 
 /* Slaves in the facets, over them, one beside; multipliers of both signs. What is not looked at is no number. */
@@ -54,7 +54,7 @@ static void lay_out(void)
       client_special(1, &node[c]);
     }
     node[0] = e == 3 ? 20.0 : -4.0 - e; /* contact 3 is pulled open */
-    cte_element_history_init(b.element, hist_old[e]);
+    cte_element_history_init(b.element, history_accepted[e]);
   }
 }
 
@@ -69,10 +69,10 @@ static int single_calls(void)
       memcpy(&b.x[3 * a], x[connectivity[e][a]], sizeof x[0]);
       memcpy(&b.u[3 * a], u[connectivity[e][a]], sizeof u[0]);
     }
-    b.a.hist_old = hist_old[e];
+    b.a.history_accepted = history_accepted[e];
     b.a.f = single.f[e];
     b.a.k = single.k[e];
-    b.a.hist_new = single.hist_new[e];
+    b.a.history_trial = single.history_trial[e];
     b.a.output = single.output[e];
     b.a.energy = &single.energy[e];
     pass &= bench_evaluate(&b) == CTE_SUCCESS && b.a.status == status[e];
@@ -94,8 +94,8 @@ static void fresh(void)
   batch.connectivity = &connectivity[0][0];
   batch.global_nodes = NODES;
   batch.parameters = b.parameters;
-  batch.hist_old = &hist_old[0][0];
-  batch.hist_new = &many.hist_new[0][0];
+  batch.history_accepted = &history_accepted[0][0];
+  batch.history_trial = &many.history_trial[0][0];
   batch.f = &many.f[0][0];
   batch.k = &many.k[0][0];
   batch.output = &many.output[0][0];
@@ -201,7 +201,7 @@ static int scatters(const int64_t row_start[ROWS + 1], const int32_t column[ROWS
 
 static void other_outputs(void)
 {
-  client_check(memcmp(many.hist_new, single.hist_new, sizeof many.hist_new) == 0 &&
+  client_check(memcmp(many.history_trial, single.history_trial, sizeof many.history_trial) == 0 &&
                    memcmp(many.output, single.output, sizeof many.output) == 0 &&
                    memcmp(many.energy, single.energy, sizeof many.energy) == 0,
                "multiplier batch: scattered, the other outputs");

@@ -19,14 +19,14 @@ module interface_multiplier_batch
 
   type :: results
     real(dp) :: f(n, contacts), k(n*n, contacts)
-    real(dp) :: hist_new(history, contacts), output(CTE_OUTPUT_SIZE, contacts), energy(contacts)
+    real(dp) :: history_trial(history, contacts), output(CTE_OUTPUT_SIZE, contacts), energy(contacts)
     integer(i4) :: status(contacts), code(contacts)
   end type results
 
   type(bench), save, target :: b
   type(cte_batch), save :: batch
   type(results), save, target :: single, many
-  real(dp), save, target :: x(3, 0:nodes - 1), u(3, 0:nodes - 1), hist_old(history, contacts)
+  real(dp), save, target :: x(3, 0:nodes - 1), u(3, 0:nodes - 1), history_accepted(history, contacts)
   integer(i4), save, target :: connectivity(per, contacts)
 
 contains
@@ -54,7 +54,7 @@ contains
         call client_special(2, u(c, node))
       end do
       u(1, node) = merge(20.0_dp, -4.0_dp - e, e == 3) ! contact 3 is pulled open
-      if (cte_element_history_init(b%element, hist_old(:, e + 1)) /= CTE_SUCCESS) return
+      if (cte_element_history_init(b%element, history_accepted(:, e + 1)) /= CTE_SUCCESS) return
     end do
   end subroutine lay_out
 
@@ -79,10 +79,10 @@ contains
     do e = 1, contacts
       call copy(x, e, b%x(:3*per))
       call copy(u, e, b%u(:3*per))
-      b%a%hist_old = c_loc(hist_old(1, e))
+      b%a%history_accepted = c_loc(history_accepted(1, e))
       b%a%f = c_loc(single%f(1, e))
       b%a%k = c_loc(single%k(1, e))
-      b%a%hist_new = c_loc(single%hist_new(1, e))
+      b%a%history_trial = c_loc(single%history_trial(1, e))
       b%a%output = c_loc(single%output(1, e))
       b%a%energy = c_loc(single%energy(e))
       pass = bench_evaluate(b) == CTE_SUCCESS .and. pass
@@ -97,7 +97,7 @@ contains
     batch = zero
     many%f = canary()
     many%k = canary()
-    many%hist_new = canary()
+    many%history_trial = canary()
     many%output = canary()
     many%energy = canary()
     many%status = -77
@@ -110,8 +110,8 @@ contains
     batch%connectivity = c_loc(connectivity)
     batch%global_nodes = nodes
     batch%parameters = c_loc(b%parameters)
-    batch%hist_old = c_loc(hist_old)
-    batch%hist_new = c_loc(many%hist_new)
+    batch%history_accepted = c_loc(history_accepted)
+    batch%history_trial = c_loc(many%history_trial)
     batch%f = c_loc(many%f)
     batch%k = c_loc(many%k)
     batch%output = c_loc(many%output)
@@ -234,7 +234,7 @@ contains
   end function scatters
 
   subroutine other_outputs()
-    call client_check(all(transfer(many%hist_new, [0_i8]) == transfer(single%hist_new, [0_i8])) &
+    call client_check(all(transfer(many%history_trial, [0_i8]) == transfer(single%history_trial, [0_i8])) &
       .and. all(transfer(many%output, [0_i8]) == transfer(single%output, [0_i8])) &
       .and. client_same(many%energy, single%energy), 'multiplier batch: scattered, the other outputs')
   end subroutine other_outputs

@@ -34,7 +34,7 @@ static int evaluated(int32_t status)
 {
   bench_canary(&b);
   return bench_evaluate(&b) == CTE_SUCCESS && b.a.status == status &&
-         b.out.output[CTE_OUTPUT_STATUS] == status && b.out.hist_new[CTE_HISTORY_STATUS] == status;
+         b.out.output[CTE_OUTPUT_STATUS] == status && b.out.history_trial[CTE_HISTORY_STATUS] == status;
 }
 
 /* s_A and s_A,i of slave and corners: + on the slave, - the shape function on the master. */
@@ -157,7 +157,7 @@ static void frozen(void)
 {
   int pass = opened("PointQuad4Multiplier", 0.05, -3.0);
   b.a.request |= CTE_FREEZE_STATE;
-  b.hist_old[CTE_HISTORY_STATUS] = CTE_STATUS_CLOSED;
+  b.history_accepted[CTE_HISTORY_STATUS] = CTE_STATUS_CLOSED;
   client_check(pass && evaluated(CTE_STATUS_CLOSED) && is_closed_by_hand(0.05, -3.0),
                "multiplier, CTE_FREEZE_STATE: closed in spite of N > 0");
   pass = opened("PointQuad4Multiplier", -0.05, -3.0);
@@ -209,7 +209,7 @@ static void friction(void)
   bench_set(&b, "eps_t", eps_t);
   bench_set(&b, "mu", mu);
   pass = pass && b.info.history == 6 && b.info.symmetric == 0 && evaluated(CTE_STATUS_STICK);
-  memcpy(b.hist_old, b.out.hist_new, 6 * sizeof b.hist_old[0]);
+  memcpy(b.history_accepted, b.out.history_trial, 6 * sizeof b.history_accepted[0]);
   b.u[0] = 0.03;
   b.u[1] = -0.04;
   pass = pass && evaluated(CTE_STATUS_SLIP);

@@ -36,7 +36,7 @@ contains
     call bench_canary(b)
     pass = bench_evaluate(b) == CTE_SUCCESS
     pass = pass .and. b%a%status == status .and. nint(b%out%output(1)) == status &
-      .and. nint(b%out%hist_new(1)) == status
+      .and. nint(b%out%history_trial(1)) == status
   end function evaluated
 
   ! Entry of the output, counted from 0.
@@ -184,7 +184,7 @@ contains
     logical :: pass
     call opened(element, 0.05_dp, -3.0_dp)
     b%a%request = ior(b%a%request, CTE_FREEZE_STATE)
-    b%hist_old(1) = CTE_STATUS_CLOSED
+    b%history_accepted(1) = CTE_STATUS_CLOSED
     pass = evaluated(CTE_STATUS_CLOSED)
     call client_check(pass .and. is_closed_by_hand(0.05_dp, -3.0_dp), &
       'multiplier, CTE_FREEZE_STATE: closed in spite of N > 0')
@@ -237,7 +237,7 @@ contains
     call bench_set(b, 'mu', mu)
     pass = evaluated(CTE_STATUS_STICK)
     pass = pass .and. b%info%history == 6 .and. b%info%symmetric == 0
-    b%hist_old(:6) = b%out%hist_new(:6)
+    b%history_accepted(:6) = b%out%history_trial(:6)
     b%u(:2) = [0.03_dp, -0.04_dp]
     pass = evaluated(CTE_STATUS_SLIP) .and. pass
     k = tangent()

@@ -57,7 +57,7 @@ static void lay_out(void)
   a.f = f;
   a.k = k;
   a.output = output;
-  a.hist_new = history;
+  a.history_trial = history;
   a.energy = &energy;
   a.workspace = workspace;
   a.workspace_size = 64;
@@ -165,7 +165,7 @@ static void histories(void)
   static double first[UNKNOWNS];
   lay_out();
   memset(history, 0, sizeof history);
-  a.hist_old = history;
+  a.history_accepted = history;
   int pass = cte_patch_evaluate(&patch, &a) == CTE_SUCCESS;
   memcpy(first, f, sizeof first);
   pass = pass && cte_patch_evaluate(&patch, &a) == CTE_SUCCESS;

@@ -57,7 +57,7 @@ contains
     a%f = c_loc(f)
     a%k = c_loc(k)
     a%output = c_loc(output)
-    a%hist_new = c_loc(history)
+    a%history_trial = c_loc(history)
     a%energy = c_loc(energy)
     a%workspace = c_loc(workspace)
     a%workspace_size = 64
@@ -162,7 +162,7 @@ contains
     logical :: pass
     call lay_out()
     history = 0
-    a%hist_old = c_loc(history)
+    a%history_accepted = c_loc(history)
     pass = evaluated()
     first = f
     pass = evaluated() .and. pass

@@ -116,10 +116,10 @@ static void histories(void)
   bench_open(&b, "PointQuad4Coulomb");
   cte_element_history_init(b.element, initial);
   bench_canary(&b);
-  int pass = projected(0.0, b.hist_old);
+  int pass = projected(0.0, b.history_accepted);
   memcpy(&initial[1], found[0].zeta, 2 * sizeof initial[0]);
   memcpy(&initial[3], found[0].zeta, 2 * sizeof initial[0]);
-  client_check(pass && client_same(b.hist_old, initial, 6), "project: projection and anchor of the history");
+  client_check(pass && client_same(b.history_accepted, initial, 6), "project: projection and anchor of the history");
   client_check(bench_untouched(&b), "project: nothing else is written");
   pass = bench_evaluate(&b) == CTE_SUCCESS && b.a.status == CTE_STATUS_STICK &&
          client_near(&b.out.output[CTE_OUTPUT_PROJECTION], found[0].zeta, 2, 1e-12) &&
@@ -138,7 +138,7 @@ static void four_points(void)
     b.x[3 * a + 1] = square[3 * a + 1];
     b.x[3 * a + 2] = 0.3;
   }
-  b.a.hist_old = NULL;
+  b.a.history_accepted = NULL;
   pass = pass && b.info.points == 4 && projected(0.0, history) && bench_evaluate(&b) == CTE_SUCCESS;
   for (int i = 0; i < 4 && pass; i++) {
     const double *output = &b.out.output[i * CTE_OUTPUT_SIZE];
@@ -252,7 +252,7 @@ static void troughs(void)
                "project: two feet in a trough");
   for (int i = 0; i < 2; i++) {
     trough(side[i]);
-    const int pass = projected(0.0, b.hist_old);
+    const int pass = projected(0.0, b.history_accepted);
     const double z = found[0].zeta[0], slope = 1.0 + 4.0 * z * z;
     client_check(pass && found[0].verdict == CTE_VERDICT_INSIDE && z * side[i] > 0.0 &&
                      fabs(2.0 * z * z * z - z - side[i]) < 1e-12 && fabs(found[0].zeta[1] - 0.2) < 1e-12,

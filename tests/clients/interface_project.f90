@@ -137,9 +137,9 @@ contains
     call bench_open(b, 'PointQuad4Coulomb')
     pass = cte_element_history_init(b%element, initial) == CTE_SUCCESS
     call bench_canary(b)
-    pass = projected(0.0_dp, c_loc(b%hist_old)) .and. pass
+    pass = projected(0.0_dp, c_loc(b%history_accepted)) .and. pass
     initial(2:5) = [found(1)%zeta, found(1)%zeta]
-    call client_check(pass .and. client_same(b%hist_old(:6), initial), 'project: projection and anchor of the history')
+    call client_check(pass .and. client_same(b%history_accepted(:6), initial), 'project: projection and anchor of the history')
     call client_check(bench_untouched(b), 'project: nothing else is written')
     pass = bench_evaluate(b) == CTE_SUCCESS
     at = CTE_OUTPUT_PROJECTION + 1
@@ -161,7 +161,7 @@ contains
     b%x(1:12:3) = square(1:12:3) + half
     b%x(3:12:3) = 0.3_dp
     b%x(13:24) = square
-    b%a%hist_old = c_null_ptr
+    b%a%history_accepted = c_null_ptr
     pass = projected(0.0_dp, c_loc(history))
     pass = bench_evaluate(b) == CTE_SUCCESS .and. pass
     pass = pass .and. b%info%points == 4
@@ -291,7 +291,7 @@ contains
     at = CTE_OUTPUT_PROJECTION + 1
     do i = 1, 2
       call trough(side(i))
-      pass = projected(0.0_dp, c_loc(b%hist_old))
+      pass = projected(0.0_dp, c_loc(b%history_accepted))
       z = found(1)%zeta(1)
       call client_check(pass .and. found(1)%verdict == inside .and. z*side(i) > 0 &
         .and. abs(2*z**3 - z - side(i)) < 1e-12_dp .and. abs(found(1)%zeta(2) - 0.2_dp) < 1e-12_dp, &

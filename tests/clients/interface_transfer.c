@@ -23,7 +23,7 @@ static void facet(bench *any, const double nodes[12], const double history[HISTO
   memcpy(&any->x[3], nodes, 12 * sizeof any->x[0]);
   bench_set(any, "eps_t", eps_t);
   if (history != NULL)
-    memcpy(any->hist_old, history, HISTORY * sizeof history[0]);
+    memcpy(any->history_accepted, history, HISTORY * sizeof history[0]);
 }
 
 static const double square[12] = {-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0};
@@ -33,7 +33,7 @@ static int slid(double x, double y)
 {
   facet(&a, square, NULL);
   int pass = bench_evaluate(&a) == CTE_SUCCESS;
-  memcpy(a.hist_old, a.out.hist_new, HISTORY * sizeof a.hist_old[0]);
+  memcpy(a.history_accepted, a.out.history_trial, HISTORY * sizeof a.history_accepted[0]);
   a.u[0] = x;
   a.u[1] = y;
   pass = pass && bench_evaluate(&a) == CTE_SUCCESS && a.a.status == CTE_STATUS_SLIP;
@@ -52,14 +52,14 @@ static int neighbour(double angle)
 
 static int32_t transferred(int32_t *argument)
 {
-  return cte_history_transfer(a.element, a.out.output, a.out.hist_new, b.element, b.out.output, b.out.hist_new,
+  return cte_history_transfer(a.element, a.out.output, a.out.history_trial, b.element, b.out.output, b.out.history_trial,
                               argument);
 }
 
 /* s = sum_i b_i (projection - anchor)^i, from output and history. */
 static void slip_of(const bench *any, double s[3])
 {
-  const double *tangents = &any->out.output[CTE_OUTPUT_TANGENTS], *h = any->out.hist_new;
+  const double *tangents = &any->out.output[CTE_OUTPUT_TANGENTS], *h = any->out.history_trial;
   for (int k = 0; k < 3; k++)
     s[k] = tangents[k] * (h[1] - h[ANCHOR]) + tangents[3 + k] * (h[2] - h[ANCHOR + 1]);
 }
@@ -75,12 +75,12 @@ static void on_the_edge(void)
   int32_t argument = -1;
   double before[3], trial[HISTORY];
   int pass = slid(0.15, 0.05) && neighbour(0.0) && transferred(&argument) == CTE_SUCCESS;
-  client_check(pass && argument == CTE_ARGUMENT_NONE && b.out.hist_new[0] == CTE_STATUS_SLIP &&
-                   client_same(&b.out.hist_new[PATH], &a.out.hist_new[PATH], 1),
+  client_check(pass && argument == CTE_ARGUMENT_NONE && b.out.history_trial[0] == CTE_STATUS_SLIP &&
+                   client_same(&b.out.history_trial[PATH], &a.out.history_trial[PATH], 1),
                "transfer: status and slip path go along");
   memcpy(before, a.out.f, sizeof before);
-  memcpy(trial, b.out.hist_new, sizeof trial);
-  memcpy(b.hist_old, trial, sizeof trial);
+  memcpy(trial, b.out.history_trial, sizeof trial);
+  memcpy(b.history_accepted, trial, sizeof trial);
   pass = bench_evaluate(&b) == CTE_SUCCESS;
   client_check(pass && client_near(b.out.f, before, 3, 1e-13), "transfer on the edge: the force does not jump");
 }
@@ -93,7 +93,7 @@ static void across(void)
   int pass = slid(0.12, 0.05);
   slip_of(&a, s);
   pass = pass && neighbour(0.0) && b.a.status == CTE_STATUS_OUTSIDE && transferred(NULL) == CTE_SUCCESS;
-  memcpy(b.hist_old, b.out.hist_new, HISTORY * sizeof b.hist_old[0]);
+  memcpy(b.history_accepted, b.out.history_trial, HISTORY * sizeof b.history_accepted[0]);
   b.u[0] += 0.2;
   b.u[1] -= 0.1;
   s[0] -= 0.2; /* s is against the motion of the slave */
@@ -103,7 +103,7 @@ static void across(void)
     expected[k] = -1.25 * s[k] / size - (k == 2 ? 5.0 : 0.0); /* mu |N| = 1.25, N = -5 along z */
   pass = pass && bench_evaluate(&b) == CTE_SUCCESS && b.a.status == CTE_STATUS_SLIP;
   client_check(pass && client_near(b.out.f, expected, 3, 1e-13), "transfer across the edge: as on one plane");
-  client_check(fabs(b.out.hist_new[PATH] - a.out.hist_new[PATH] - (size - 0.025)) < 1e-13,
+  client_check(fabs(b.out.history_trial[PATH] - a.out.history_trial[PATH] - (size - 0.025)) < 1e-13,
                "transfer across the edge: the path goes on");
 }
 
@@ -146,16 +146,16 @@ static void in_the_plane(void)
   const double first[4] = {-1.0, 0.0, 1.0, 0.0}, c = cos(0.4), s = sin(0.4);
   const double next[2][4] = {{1.0, 0.0, 1.0 + c, s}, {1.0 + c, s, 1.0, 0.0}};
   int pass = segment(&line, first, 1.0);
-  memcpy(line.hist_old, line.out.hist_new, 4 * sizeof line.hist_old[0]);
+  memcpy(line.history_accepted, line.out.history_trial, 4 * sizeof line.history_accepted[0]);
   line.u[0] = 0.004;
   pass = pass && bench_evaluate(&line) == CTE_SUCCESS && line.a.status == CTE_STATUS_STICK;
   for (int i = 0; i < 2; i++) {
     pass = pass && segment(&b, next[i], i == 0 ? 1.0 : -1.0);
     b.u[0] = 0.004;
     pass = pass && bench_evaluate(&b) == CTE_SUCCESS &&
-           cte_history_transfer(line.element, line.out.output, line.out.hist_new, b.element, b.out.output,
-                                b.out.hist_new, NULL) == CTE_SUCCESS;
-    const double moved = b.out.hist_new[1] - b.out.hist_new[2], *b_1 = &b.out.output[CTE_OUTPUT_TANGENTS];
+           cte_history_transfer(line.element, line.out.output, line.out.history_trial, b.element, b.out.output,
+                                b.out.history_trial, NULL) == CTE_SUCCESS;
+    const double moved = b.out.history_trial[1] - b.out.history_trial[2], *b_1 = &b.out.output[CTE_OUTPUT_TANGENTS];
     pass = pass && fabs(b_1[0] * moved + 0.004 * c) < 1e-15 && fabs(b_1[1] * moved + 0.004 * s) < 1e-15;
   }
   client_check(pass, "transfer in the plane, also to a segment that runs backwards");
@@ -171,21 +171,21 @@ static void entries(void)
   api.struct_size = sizeof api;
   cte_element_find("PointQuad4Coulomb", 17, &index);
   int pass = cte_api(CTE_VERSION_MAJOR, &api) == CTE_SUCCESS && slid(0.12, 0.05) && neighbour(0.3);
-  memcpy(fresh, b.out.hist_new, sizeof fresh);
+  memcpy(fresh, b.out.history_trial, sizeof fresh);
   pass = pass && transferred(NULL) == CTE_SUCCESS;
-  memcpy(expected, b.out.hist_new, sizeof expected);
-  memcpy(b.out.hist_new, fresh, sizeof fresh);
-  pass = pass && api.history_transfer(a.element, a.out.output, a.out.hist_new, b.element, b.out.output,
-                                      b.out.hist_new, NULL) == CTE_SUCCESS;
-  client_check(pass && client_same(b.out.hist_new, expected, HISTORY), "table: history_transfer");
-  memcpy(b.out.hist_new, fresh, sizeof fresh);
-  cte_f77_history_transfer_(&index, a.out.output, a.out.hist_new, &index, b.out.output, b.out.hist_new, &argument,
+  memcpy(expected, b.out.history_trial, sizeof expected);
+  memcpy(b.out.history_trial, fresh, sizeof fresh);
+  pass = pass && api.history_transfer(a.element, a.out.output, a.out.history_trial, b.element, b.out.output,
+                                      b.out.history_trial, NULL) == CTE_SUCCESS;
+  client_check(pass && client_same(b.out.history_trial, expected, HISTORY), "table: history_transfer");
+  memcpy(b.out.history_trial, fresh, sizeof fresh);
+  cte_f77_history_transfer_(&index, a.out.output, a.out.history_trial, &index, b.out.output, b.out.history_trial, &argument,
                             &code);
-  client_check(code == CTE_SUCCESS && argument == CTE_ARGUMENT_NONE && client_same(b.out.hist_new, expected, HISTORY),
+  client_check(code == CTE_SUCCESS && argument == CTE_ARGUMENT_NONE && client_same(b.out.history_trial, expected, HISTORY),
                "F77 history_transfer");
-  memcpy(b.out.hist_new, fresh, sizeof fresh);
-  a.out.hist_new[CTE_HISTORY_STATUS] = CTE_STATUS_OPEN;
-  client_check(transferred(&argument) == CTE_SUCCESS && client_same(b.out.hist_new, fresh, HISTORY),
+  memcpy(b.out.history_trial, fresh, sizeof fresh);
+  a.out.history_trial[CTE_HISTORY_STATUS] = CTE_STATUS_OPEN;
+  client_check(transferred(&argument) == CTE_SUCCESS && client_same(b.out.history_trial, fresh, HISTORY),
                "transfer of an open point: nothing to carry");
 }
 

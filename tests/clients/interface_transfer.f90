@@ -32,7 +32,7 @@ contains
     logical :: pass
     call facet(a, square)
     pass = bench_evaluate(a) == CTE_SUCCESS
-    a%hist_old(:history_size) = a%out%hist_new(:history_size)
+    a%history_accepted(:history_size) = a%out%history_trial(:history_size)
     a%u(:2) = [x, y]
     pass = bench_evaluate(a) == CTE_SUCCESS .and. pass
     pass = pass .and. a%a%status == CTE_STATUS_SLIP
@@ -53,7 +53,7 @@ contains
   function transferred(argument) result(pass)
     integer(i4), intent(inout) :: argument
     logical :: pass
-    pass = cte_history_transfer(a%element, a%out%output, a%out%hist_new, b%element, b%out%output, b%out%hist_new, &
+    pass = cte_history_transfer(a%element, a%out%output, a%out%history_trial, b%element, b%out%output, b%out%history_trial, &
       argument) == CTE_SUCCESS
   end function transferred
 
@@ -62,7 +62,7 @@ contains
     type(bench), intent(in) :: any_bench
     real(dp) :: s(3), tangents(6), moved(2)
     tangents = any_bench%out%output(CTE_OUTPUT_TANGENTS + 1:CTE_OUTPUT_TANGENTS + 6)
-    moved = any_bench%out%hist_new(2:3) - any_bench%out%hist_new(4:5)
+    moved = any_bench%out%history_trial(2:3) - any_bench%out%history_trial(4:5)
     s = tangents(:3)*moved(1) + tangents(4:)*moved(2)
   end function slip_of
 
@@ -74,9 +74,9 @@ contains
     pass = slid(0.15_dp, 0.05_dp)
     pass = neighbour(0.0_dp) .and. pass
     pass = transferred(argument) .and. pass
-    call client_check(pass .and. argument == CTE_ARGUMENT_NONE .and. nint(b%out%hist_new(1)) == CTE_STATUS_SLIP &
-      .and. client_same(b%out%hist_new(6:6), a%out%hist_new(6:6)), 'transfer: status and slip path go along')
-    b%hist_old(:history_size) = b%out%hist_new(:history_size)
+    call client_check(pass .and. argument == CTE_ARGUMENT_NONE .and. nint(b%out%history_trial(1)) == CTE_STATUS_SLIP &
+      .and. client_same(b%out%history_trial(6:6), a%out%history_trial(6:6)), 'transfer: status and slip path go along')
+    b%history_accepted(:history_size) = b%out%history_trial(:history_size)
     pass = bench_evaluate(b) == CTE_SUCCESS
     call client_check(pass .and. client_near(b%out%f(:3), a%out%f(:3), 1e-13_dp), &
       'transfer on the edge: the force does not jump')
@@ -93,14 +93,14 @@ contains
     pass = neighbour(0.0_dp) .and. pass
     pass = pass .and. b%a%status == CTE_STATUS_OUTSIDE
     pass = transferred(argument) .and. pass
-    b%hist_old(:history_size) = b%out%hist_new(:history_size)
+    b%history_accepted(:history_size) = b%out%history_trial(:history_size)
     b%u(:2) = b%u(:2) + [0.2_dp, -0.1_dp]
     s(:2) = s(:2) - [0.2_dp, -0.1_dp] ! s is against the motion of the slave
     expected = -1.25_dp*s/norm2(s) - [0, 0, 5] ! mu |N| = 1.25, N = -5 along z
     pass = bench_evaluate(b) == CTE_SUCCESS .and. pass
     call client_check(pass .and. b%a%status == CTE_STATUS_SLIP .and. client_near(b%out%f(:3), expected, 1e-13_dp), &
       'transfer across the edge: as on one plane')
-    call client_check(abs(b%out%hist_new(6) - a%out%hist_new(6) - (norm2(s) - 0.025_dp)) < 1e-13_dp, &
+    call client_check(abs(b%out%history_trial(6) - a%out%history_trial(6) - (norm2(s) - 0.025_dp)) < 1e-13_dp, &
       'transfer across the edge: the path goes on')
   end subroutine across
 
@@ -151,7 +151,7 @@ contains
     s = sin(0.4_dp)
     next = reshape([1.0_dp, 0.0_dp, 1 + c, s, 1 + c, s, 1.0_dp, 0.0_dp], [4, 2])
     pass = segment(line, [-1.0_dp, 0.0_dp, 1.0_dp, 0.0_dp], 1.0_dp)
-    line%hist_old(:4) = line%out%hist_new(:4)
+    line%history_accepted(:4) = line%out%history_trial(:4)
     line%u(1) = 0.004_dp
     pass = bench_evaluate(line) == CTE_SUCCESS .and. pass
     pass = pass .and. line%a%status == CTE_STATUS_STICK
@@ -159,9 +159,9 @@ contains
       pass = segment(b, next(:, i), merge(1.0_dp, -1.0_dp, i == 1)) .and. pass
       b%u(1) = 0.004_dp
       pass = bench_evaluate(b) == CTE_SUCCESS .and. pass
-      pass = cte_history_transfer(line%element, line%out%output, line%out%hist_new, b%element, b%out%output, &
-        b%out%hist_new, argument) == CTE_SUCCESS .and. pass
-      moved = b%out%hist_new(2) - b%out%hist_new(3)
+      pass = cte_history_transfer(line%element, line%out%output, line%out%history_trial, b%element, b%out%output, &
+        b%out%history_trial, argument) == CTE_SUCCESS .and. pass
+      moved = b%out%history_trial(2) - b%out%history_trial(3)
       b_1 = b%out%output(CTE_OUTPUT_TANGENTS + 1:CTE_OUTPUT_TANGENTS + 2)
       pass = pass .and. all(abs(b_1*moved + 0.004_dp*[c, s]) < 1e-15_dp)
     end do
@@ -180,25 +180,25 @@ contains
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS .and. pass
     pass = slid(0.12_dp, 0.05_dp) .and. pass
     pass = neighbour(0.3_dp) .and. pass
-    fresh = b%out%hist_new(:history_size)
+    fresh = b%out%history_trial(:history_size)
     pass = transferred(argument) .and. pass
-    expected = b%out%hist_new(:history_size)
-    b%out%hist_new(:history_size) = fresh
+    expected = b%out%history_trial(:history_size)
+    b%out%history_trial(:history_size) = fresh
     call c_f_procpointer(api%history_transfer, history_transfer)
-    pass = history_transfer(a%element, a%out%output, a%out%hist_new, b%element, b%out%output, b%out%hist_new, &
+    pass = history_transfer(a%element, a%out%output, a%out%history_trial, b%element, b%out%output, b%out%history_trial, &
       argument) == CTE_SUCCESS .and. pass
-    call client_check(pass .and. client_same(b%out%hist_new(:history_size), expected), 'table: history_transfer')
-    b%out%hist_new(:history_size) = fresh
+    call client_check(pass .and. client_same(b%out%history_trial(:history_size), expected), 'table: history_transfer')
+    b%out%history_trial(:history_size) = fresh
     code = -1
     argument = -1
-    call cte_f77_history_transfer(element_index, a%out%output, a%out%hist_new, element_index, b%out%output, &
-      b%out%hist_new, argument, code)
+    call cte_f77_history_transfer(element_index, a%out%output, a%out%history_trial, element_index, b%out%output, &
+      b%out%history_trial, argument, code)
     call client_check(code == CTE_SUCCESS .and. argument == CTE_ARGUMENT_NONE &
-      .and. client_same(b%out%hist_new(:history_size), expected), 'F77 history_transfer')
-    b%out%hist_new(:history_size) = fresh
-    a%out%hist_new(1) = CTE_STATUS_OPEN
+      .and. client_same(b%out%history_trial(:history_size), expected), 'F77 history_transfer')
+    b%out%history_trial(:history_size) = fresh
+    a%out%history_trial(1) = CTE_STATUS_OPEN
     pass = transferred(argument)
-    call client_check(pass .and. client_same(b%out%hist_new(:history_size), fresh), &
+    call client_check(pass .and. client_same(b%out%history_trial(:history_size), fresh), &
       'transfer of an open point: nothing to carry')
   end subroutine entries
 

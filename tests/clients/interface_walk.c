@@ -115,7 +115,7 @@ static int history_sound(void)
   const int entries = history_of_point(&b), p = b.info.projected, slip = has_slip(&b.info);
   const int plain = 1 + p + (slip ? p + 1 : 0);
   for (int32_t point = 0; point < b.info.points; point++) {
-    const double *h = &b.hist_old[point * entries];
+    const double *h = &b.history_accepted[point * entries];
     pass &= h[CTE_HISTORY_STATUS] == CTE_STATUS_OPEN;
     if (entries > plain)
       pass &= h[plain] == 0.0;

@@ -143,11 +143,11 @@ contains
     pass = .true.
     do point = 0, b%info%points - 1
       first = point*entries + 1
-      pass = pass .and. nint(b%hist_old(first + CTE_HISTORY_STATUS)) == CTE_STATUS_OPEN
-      if (entries > plain) pass = pass .and. abs(b%hist_old(first + plain)) <= 0
+      pass = pass .and. nint(b%history_accepted(first + CTE_HISTORY_STATUS)) == CTE_STATUS_OPEN
+      if (entries > plain) pass = pass .and. abs(b%history_accepted(first + plain)) <= 0
       first = first + CTE_HISTORY_PROJECTION
-      if (has_slip(b%info)) pass = pass .and. abs(b%hist_old(first + 2*p)) <= 0 &
-        .and. client_same(b%hist_old(first:first + p - 1), b%hist_old(first + p:first + 2*p - 1))
+      if (has_slip(b%info)) pass = pass .and. abs(b%history_accepted(first + 2*p)) <= 0 &
+        .and. client_same(b%history_accepted(first:first + p - 1), b%history_accepted(first + p:first + 2*p - 1))
     end do
   end function history_sound
 
@@ -162,8 +162,8 @@ contains
     do i = 1, size(any_bench%out%k)
       call client_special(2, any_bench%out%k(i))
     end do
-    do i = 1, size(any_bench%out%hist_new)
-      call client_special(2, any_bench%out%hist_new(i))
+    do i = 1, size(any_bench%out%history_trial)
+      call client_special(2, any_bench%out%history_trial(i))
     end do
     do i = 1, size(any_bench%out%output)
       call client_special(2, any_bench%out%output(i))

@@ -47,7 +47,7 @@ typedef struct contact_set {
   enum variant variant;
   const cte_element *element, *tangent_plane;
   double parameters[PARAMETERS];
-  double hist_old[CONTACTS][HISTORY], hist_new[CONTACTS][HISTORY];
+  double history_accepted[CONTACTS][HISTORY], history_trial[CONTACTS][HISTORY];
   double output[CONTACTS][CTE_OUTPUT_SIZE];
   int32_t status[CONTACTS];
 } contact_set;
@@ -91,7 +91,7 @@ static int contact_start(contact_set *contact, enum variant variant)
   memcpy(contact->parameters, parameters, sizeof parameters);
   for (int c = 0; c < CONTACTS; c++)
     if (contact->element == NULL || contact->tangent_plane == NULL ||
-        cte_element_history_init(contact->element, contact->hist_old[c]) != CTE_SUCCESS)
+        cte_element_history_init(contact->element, contact->history_accepted[c]) != CTE_SUCCESS)
       return 0;
   return 1;
 }
@@ -110,7 +110,7 @@ static int contact_element(contact_set *contact, const model *m, int c, int elas
     x[i] = m->x[node_of(c, i / 3)][i % 3];
     u[i] = m->u[3 * node_of(c, i / 3) + i % 3];
   }
-  memcpy(history, contact->hist_old[c], sizeof history);
+  memcpy(history, contact->history_accepted[c], sizeof history);
   elastic = elastic && history[CTE_HISTORY_STATUS] != CTE_STATUS_OPEN;
   if (elastic)
     history[CTE_HISTORY_STATUS] = CTE_STATUS_STICK;
@@ -123,8 +123,8 @@ static int contact_element(contact_set *contact, const model *m, int c, int elas
   a.u = u;
   a.parameters = contact->parameters;
   a.parameter_count = PARAMETERS;
-  a.hist_old = history;
-  a.hist_new = contact->hist_new[c];
+  a.history_accepted = history;
+  a.history_trial = contact->history_trial[c];
   a.output = contact->output[c];
   a.f = f;
   a.k = &k[0][0];
@@ -243,7 +243,7 @@ static int sliding_contacts(const contact_set *contact)
   for (int c = 0; c < CONTACTS; c++) {
     const double *out = contact->output[c], *t = &out[CTE_OUTPUT_TANGENTIAL_TRACTION];
     const double bound = friction * fabs(out[CTE_OUTPUT_NORMAL_TRACTION]), force = sqrt(t[0] * t[0] + t[1] * t[1]);
-    const double slid = contact->hist_new[c][SLIP_PATH] - contact->hist_old[c][SLIP_PATH];
+    const double slid = contact->history_trial[c][SLIP_PATH] - contact->history_accepted[c][SLIP_PATH];
     const int slips = contact->status[c] == CTE_STATUS_SLIP;
     if (slips ? fabs(force - bound) > 1e-12 * bound || slid <= 0.0 : force > bound || slid != 0.0)
       return -1;
@@ -269,7 +269,7 @@ static int step(contact_set *contact, model *m, int number, record *r)
   r->order[number] = order_at(contact, m);
   r->sliding[number] = sliding_contacts(contact);
   memcpy(r->u[number], m->u, sizeof m->u);
-  memcpy(contact->hist_old, contact->hist_new, sizeof contact->hist_old); /* the step is accepted */
+  memcpy(contact->history_accepted, contact->history_trial, sizeof contact->history_accepted); /* the step is accepted */
   return r->iterations[number] > 0 && r->sliding[number] >= 0;
 }
 

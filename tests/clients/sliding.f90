@@ -38,7 +38,7 @@ module sliding_program
     integer :: variant = exact
     type(c_ptr) :: element = c_null_ptr, tangent_plane = c_null_ptr
     real(dp) :: parameters(parameter_count) = [stiffness, stiffness, friction, 0.0_dp, 1.0_dp] ! r0, orientation
-    real(dp) :: hist_old(history_size, contacts) = 0, hist_new(history_size, contacts) = 0
+    real(dp) :: history_accepted(history_size, contacts) = 0, history_trial(history_size, contacts) = 0
     real(dp) :: output(0:CTE_OUTPUT_SIZE - 1, contacts) = 0
     integer(i4) :: status(contacts) = 0
   end type contact_set
@@ -83,7 +83,7 @@ contains
     contact%tangent_plane = element_of('PointQuad4CoulombTangentPlane')
     pass = c_associated(contact%element) .and. c_associated(contact%tangent_plane)
     do c = 1, contacts
-      if (pass) pass = cte_element_history_init(contact%element, contact%hist_old(:, c)) == CTE_SUCCESS
+      if (pass) pass = cte_element_history_init(contact%element, contact%history_accepted(:, c)) == CTE_SUCCESS
     end do
   end function contact_start
 
@@ -107,7 +107,7 @@ contains
     integer(i4) :: code, freeze
     x = m%x(:, nodes_of(c))
     u = m%u(:, nodes_of(c))
-    history = contact%hist_old(:, c)
+    history = contact%history_accepted(:, c)
     freeze = 0
     if (want_elastic .and. nint(history(CTE_HISTORY_STATUS)) /= CTE_STATUS_OPEN) then
       freeze = CTE_FREEZE_STATE
@@ -120,8 +120,8 @@ contains
     a%u = c_loc(u)
     a%parameters = c_loc(contact%parameters)
     a%parameter_count = parameter_count
-    a%hist_old = c_loc(history)
-    a%hist_new = c_loc(contact%hist_new(1, c))
+    a%history_accepted = c_loc(history)
+    a%history_trial = c_loc(contact%history_trial(1, c))
     a%output = c_loc(contact%output(0, c))
     a%f = c_loc(f)
     a%k = c_loc(k)
@@ -250,7 +250,7 @@ contains
     do c = 1, contacts
       bound = friction*abs(contact%output(CTE_OUTPUT_NORMAL_TRACTION, c))
       force = norm2(contact%output(CTE_OUTPUT_TANGENTIAL_TRACTION:CTE_OUTPUT_TANGENTIAL_TRACTION + 1, c))
-      slid = contact%hist_new(history_size, c) - contact%hist_old(history_size, c)
+      slid = contact%history_trial(history_size, c) - contact%history_accepted(history_size, c)
       if (contact%status(c) == CTE_STATUS_SLIP) then
         if (abs(force - bound) > 1e-12_dp*bound .or. slid <= 0) count = -contacts - 1
         count = count + 1
@@ -285,7 +285,7 @@ contains
     r%order(number) = order_at(contact, m)
     r%sliding(number) = sliding_contacts(contact)
     r%u(:, :, number) = m%u
-    contact%hist_old = contact%hist_new ! the step is accepted
+    contact%history_accepted = contact%history_trial ! the step is accepted
     pass = r%iterations(number) > 0 .and. r%sliding(number) >= 0
   end function step
 

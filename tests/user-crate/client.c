@@ -67,7 +67,7 @@ static contact *open(int32_t index, const char *name, int32_t (*evaluate)(cte_ar
   a->x = c->x;
   a->u = c->u;
   a->parameters = c->parameters;
-  a->hist_old = c->history;
+  a->history_accepted = c->history;
   a->slave_row = nslave > 0 ? c->row : NULL;
   a->f = c->f;
   a->k = c->k;
@@ -219,7 +219,7 @@ static double tangent_error(contact *c)
 /* Contact with friction begins, is accepted, and slides. */
 static void slide(contact *c)
 {
-  c->a.hist_new = c->history;
+  c->a.history_trial = c->history;
   check(evaluate(c, CTE_HISTORY) == CTE_SUCCESS && c->a.status == CTE_STATUS_STICK, c, "begins");
   c->u[0] += 0.3;
 }
@@ -229,7 +229,7 @@ static void carry(contact *c)
 {
   double old[HISTORY], new[HISTORY], output[CTE_OUTPUT_SIZE];
   const int n = c->info.history;
-  c->a.hist_new = old;
+  c->a.history_trial = old;
   memcpy(output, c->output, sizeof output);
   int pass = evaluate(c, CTE_HISTORY) == CTE_SUCCESS;
   memcpy(new, old, sizeof new);

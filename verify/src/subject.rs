@@ -289,7 +289,7 @@ impl Subject {
                 },
                 tangent: &mut answer.tangent,
                 output: &mut answer.output,
-                new_history: &mut answer.history,
+                trial: &mut answer.history,
                 energy: &mut answer.energy,
                 workspace: &mut workspace,
                 bits: wanted.bits,

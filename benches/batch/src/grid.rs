@@ -209,7 +209,7 @@ impl Grid {
         for first in (0..self.count).step_by(length) {
             let n = length.min(self.count - first) as i64;
             batch.connectivity = self.connectivity[5 * first..].as_ptr();
-            batch.hist_old = self.history[3 * first..].as_ptr();
+            batch.history_accepted = self.history[3 * first..].as_ptr();
             batch.csr_map = if has_blocks {
                 self.blocks[BLOCKS * first..].as_ptr()
             } else {

@@ -78,10 +78,10 @@ impl Workspace {
         for e in 0..states.count {
             let own = e % self.size;
             call.x = states.x[15 * e..].as_ptr();
-            call.hist_old = states.start(work.given)[3 * e..].as_ptr();
+            call.history_accepted = states.start(work.given)[3 * e..].as_ptr();
             call.f = self.f[15 * own..].as_mut_ptr();
             call.k = self.k[225 * own..].as_mut_ptr();
-            call.hist_new = self.history[3 * own..].as_mut_ptr();
+            call.history_trial = self.history[3 * own..].as_mut_ptr();
             call.output = self.output[OUTPUT_SIZE * own..].as_mut_ptr();
             // SAFETY: all arrays have the element's extents.
             let code = unsafe { element_evaluate(PointQuad4::DESCRIPTOR, &mut call) };
@@ -99,14 +99,14 @@ impl Workspace {
         batch.parameter_count = 3;
         batch.f = self.f.as_mut_ptr();
         batch.k = self.k.as_mut_ptr();
-        batch.hist_new = self.history.as_mut_ptr();
+        batch.history_trial = self.history.as_mut_ptr();
         batch.output = self.output.as_mut_ptr();
         batch.status = self.status.as_mut_ptr();
         let mut first = 0;
         while first < states.count {
             let count = self.size.min(states.count - first);
             batch.x = states.x[15 * first..].as_ptr();
-            batch.hist_old = states.start(work.given)[3 * first..].as_ptr();
+            batch.history_accepted = states.start(work.given)[3 * first..].as_ptr();
             // SAFETY: all arrays have the extents of `count` elements.
             let code = unsafe {
                 let n = count as i64;

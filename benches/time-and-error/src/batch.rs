@@ -61,7 +61,7 @@ impl Arrays {
         batch.parameter_element_stride = i64::from(batch.parameter_count);
         batch.x = self.x.as_ptr();
         batch.parameters = self.parameters.as_ptr();
-        batch.hist_old = self.history.as_ptr();
+        batch.history_accepted = self.history.as_ptr();
         batch.f = self.residual.as_mut_ptr();
         batch.k = self.tangent.as_mut_ptr();
         batch.status = self.status.as_mut_ptr();

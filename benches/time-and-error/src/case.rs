@@ -138,7 +138,7 @@ impl Case {
                 parameters: &self.parameters,
                 history: &self.history,
                 slave_row: &self.slave_row,
-                new_history: &mut history,
+                trial: &mut history,
                 residual: &mut answer.residual,
                 workspace: &mut answer.workspace,
                 ..Evaluation::default()

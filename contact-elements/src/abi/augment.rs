@@ -53,7 +53,7 @@ fn check_anchors(element: &Descriptor, trial: &[f64], accepted: &[f64]) -> Resul
             let moved = moved_anchor(element, trial, accepted, i);
             if moved.is_some_and(|anchor| !element.can_be_anchor(i, anchor)) {
                 let entry = number * size + 1 + p + i;
-                return Err((code::HISTORY, argument::HISTORY_NEW, entry));
+                return Err((code::HISTORY, argument::HISTORY_TRIAL, entry));
             }
         }
     }
@@ -89,12 +89,12 @@ fn augmented(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) -> Resul
     let (length, size) = (element.history(), element.point_history());
     let trial = trial
         .get(..length)
-        .ok_or((code::NULL, argument::HISTORY_NEW, 0))?;
+        .ok_or((code::NULL, argument::HISTORY_TRIAL, 0))?;
     let accepted = accepted
         .get_mut(..length)
-        .ok_or((code::NULL, argument::HISTORY_OLD, 0))?;
-    check(element, trial, argument::HISTORY_NEW)?;
-    check(element, accepted, argument::HISTORY_OLD)?;
+        .ok_or((code::NULL, argument::HISTORY_ACCEPTED, 0))?;
+    check(element, trial, argument::HISTORY_TRIAL)?;
+    check(element, accepted, argument::HISTORY_ACCEPTED)?;
     check_anchors(element, trial, accepted)?;
     for number in 0..element.points {
         let own = number * size..(number + 1) * size;
@@ -134,8 +134,8 @@ pub unsafe fn history_augment(
 ) -> i32 {
     let pointers = [
         (element.is_null(), argument::ELEMENT),
-        (trial.is_null(), argument::HISTORY_NEW),
-        (accepted.is_null(), argument::HISTORY_OLD),
+        (trial.is_null(), argument::HISTORY_TRIAL),
+        (accepted.is_null(), argument::HISTORY_ACCEPTED),
     ];
     let (code, name) = match pointers.iter().find(|(null, _)| *null) {
         Some(&(_, name)) => (code::NULL, name),

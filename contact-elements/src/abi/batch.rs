@@ -337,7 +337,7 @@ impl<'a> Checked<'a> {
     pub(super) unsafe fn history_of(&self, e: usize) -> Option<&'a [Cell<f64>]> {
         // SAFETY: promised by the caller.
         unsafe {
-            let old = shifted(self.batch.hist_old, e * self.element.history());
+            let old = shifted(self.batch.history_accepted, e * self.element.history());
             history(self.element, old)
         }
     }

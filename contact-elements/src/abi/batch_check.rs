@@ -50,7 +50,7 @@ impl<'a> Checked<'a> {
         check_request(
             element,
             batch.request,
-            batch.hist_old.is_null() && count > 0,
+            batch.history_accepted.is_null() && count > 0,
         )?;
         let nslave = slave_count(element, batch.nslave)?;
         let mut checked = Self {
@@ -98,7 +98,7 @@ impl<'a> Checked<'a> {
         let no_k = batch.k.is_null() && batch.csr_values.is_null();
         let scattered = !batch.global_f.is_null() || !batch.csr_values.is_null();
         let mapped = !batch.csr_values.is_null();
-        let no_history = batch.hist_new.is_null();
+        let no_history = batch.history_trial.is_null();
         // what is missing, where it is needed
         let missing = [
             (batch.x.is_null(), argument::X),
@@ -106,7 +106,10 @@ impl<'a> Checked<'a> {
             (batch.status.is_null(), argument::STATUS),
             (wants(request::RESIDUAL) && no_f, argument::F),
             (wants(request::TANGENT) && no_k, argument::K),
-            (wants(request::HISTORY) && no_history, argument::HISTORY_NEW),
+            (
+                wants(request::HISTORY) && no_history,
+                argument::HISTORY_TRIAL,
+            ),
             (
                 wants(request::OUTPUT) && batch.output.is_null(),
                 argument::OUTPUT,

@@ -31,8 +31,8 @@ pub mod argument {
     pub const X: i32 = 5;
     pub const U: i32 = 6;
     pub const PARAMETERS: i32 = 7;
-    pub const HISTORY_OLD: i32 = 8;
-    pub const HISTORY_NEW: i32 = 9;
+    pub const HISTORY_ACCEPTED: i32 = 8;
+    pub const HISTORY_TRIAL: i32 = 9;
     pub const SLAVE_ROW: i32 = 10;
     pub const F: i32 = 11;
     pub const K: i32 = 12;

@@ -63,9 +63,9 @@ pub(super) fn fault_of(error: InputError) -> Fault {
     match error {
         InputError::Position(node) => (code::NOT_FINITE, argument::X, node),
         InputError::Displacement(node) => (code::NOT_FINITE, argument::U, node),
-        InputError::History(entry) => (code::NOT_FINITE, argument::HISTORY_OLD, entry),
-        InputError::Impossible(entry) => (code::HISTORY, argument::HISTORY_OLD, entry),
-        InputError::NoHistory => (code::NULL, argument::HISTORY_OLD, 0),
+        InputError::History(entry) => (code::NOT_FINITE, argument::HISTORY_ACCEPTED, entry),
+        InputError::Impossible(entry) => (code::HISTORY, argument::HISTORY_ACCEPTED, entry),
+        InputError::NoHistory => (code::NULL, argument::HISTORY_ACCEPTED, 0),
         InputError::SlaveRow(entry) => (code::NOT_FINITE, argument::SLAVE_ROW, entry),
         InputError::Workspace => (code::WORKSPACE, argument::WORKSPACE, 0),
         InputError::Point(failure) => (code::CUT_BACK, argument::X, failure.point),
@@ -80,7 +80,11 @@ unsafe fn checked(
     element: &Descriptor,
     arguments: &Arguments,
 ) -> Result<Result<Summary, InputError>, Fault> {
-    check_request(element, arguments.request, arguments.hist_old.is_null())?;
+    check_request(
+        element,
+        arguments.request,
+        arguments.history_accepted.is_null(),
+    )?;
     check_outputs(arguments)?;
     let (n, nslave) = node_counts(element, arguments)?;
     // SAFETY: promised by the caller.
@@ -93,7 +97,7 @@ unsafe fn checked(
     // SAFETY: promised by the caller.
     let (history, slave_row, memory) = unsafe {
         (
-            history(element, arguments.hist_old),
+            history(element, arguments.history_accepted),
             slave_row(element, arguments.slave_row, nslave)?,
             workspace(
                 arguments.workspace,
@@ -177,7 +181,7 @@ pub(super) fn check_request(
         ));
     }
     if bits & (request::FREEZE_STATE | request::PROJECTION_GIVEN) != 0 && no_history {
-        return Err((code::NULL, argument::HISTORY_OLD, 0));
+        return Err((code::NULL, argument::HISTORY_ACCEPTED, 0));
     }
     Ok(())
 }
@@ -193,8 +197,8 @@ fn check_outputs(arguments: &Arguments) -> Result<(), Fault> {
         argument::F
     } else if missing(request::TANGENT, arguments.k) {
         argument::K
-    } else if missing(request::HISTORY, arguments.hist_new) {
-        argument::HISTORY_NEW
+    } else if missing(request::HISTORY, arguments.history_trial) {
+        argument::HISTORY_TRIAL
     } else if missing(request::OUTPUT, arguments.output) {
         argument::OUTPUT
     } else if missing(request::ENERGY, arguments.energy) {
@@ -338,7 +342,7 @@ unsafe fn target(element: &Descriptor, arguments: &Arguments, n: usize) -> Resul
         csr_map: Map::NONE,
         turn: Turn::FREE,
         output: if_wanted(request::OUTPUT, arguments.output),
-        history: if_wanted(request::HISTORY, arguments.hist_new).cast(),
+        history: if_wanted(request::HISTORY, arguments.history_trial).cast(),
         energy: if_wanted(request::ENERGY, arguments.energy),
     })
 }

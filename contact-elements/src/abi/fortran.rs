@@ -44,7 +44,7 @@ pub unsafe fn evaluate(
     (index, request, nnode, nslave): (*const i32, *const i32, *const i32, *const i32),
     (x, u): (*const f64, *const f64),
     (parameters, parameter_count): (*const f64, *const i32),
-    (hist_old, hist_new): (*const f64, *mut f64),
+    (history_accepted, history_trial): (*const f64, *mut f64),
     slave_row: *const f64,
     (f, k, ldk): (*mut f64, *mut f64, *const i32),
     (output, energy): (*mut f64, *mut f64),
@@ -65,7 +65,7 @@ pub unsafe fn evaluate(
         arguments.nslave = integer(nslave);
         arguments.parameter_count = integer(parameter_count);
         (arguments.x, arguments.u, arguments.parameters) = (x, u, parameters);
-        (arguments.hist_old, arguments.hist_new) = (hist_old, hist_new);
+        (arguments.history_accepted, arguments.history_trial) = (history_accepted, history_trial);
         (arguments.slave_row, arguments.f, arguments.k) = (slave_row, f, k);
         (arguments.k_row_stride, arguments.k_col_stride) = (1, i64::from(integer(ldk)));
         (arguments.output, arguments.energy) = (output, energy);
@@ -99,8 +99,8 @@ pub(super) fn blank() -> Arguments {
         x_node_stride: 0,
         u_node_stride: 0,
         parameters: core::ptr::null(),
-        hist_old: core::ptr::null(),
-        hist_new: core::ptr::null_mut(),
+        history_accepted: core::ptr::null(),
+        history_trial: core::ptr::null_mut(),
         slave_row: core::ptr::null(),
         f: core::ptr::null_mut(),
         k: core::ptr::null_mut(),

@@ -46,7 +46,7 @@ impl Outputs {
             csr_values: wanted(request::TANGENT, batch.csr_values),
             csr_map: map(checked),
             output: wanted(request::OUTPUT, batch.output),
-            history: wanted(request::HISTORY, batch.hist_new).cast(),
+            history: wanted(request::HISTORY, batch.history_trial).cast(),
             energy: wanted(request::ENERGY, batch.energy),
         };
         let step = |is_null: bool, step: usize| if is_null { 0 } else { step };

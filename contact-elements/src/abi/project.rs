@@ -215,7 +215,7 @@ pub fn project(
         return too_short(argument::U);
     }
     if !history.is_empty() && history.len() < element.history() {
-        return too_short(argument::HISTORY_NEW);
+        return too_short(argument::HISTORY_TRIAL);
     }
     let mut arguments = blank();
     arguments.nnode = n as i32;

@@ -28,7 +28,7 @@ pub struct Evaluation<'a> {
     /// Output [points · [`OUTPUT_SIZE`]]; empty: not wanted.
     pub output: &'a mut [f64],
     /// Trial history; empty: not wanted. Copied to `history` when the step is accepted.
-    pub new_history: &'a mut [f64],
+    pub trial: &'a mut [f64],
     /// Energy \[1\]; empty: not wanted.
     pub energy: &'a mut [f64],
     /// Workspace of an interpolated slave.
@@ -66,7 +66,11 @@ pub fn evaluate(element: &Descriptor, evaluation: &mut Evaluation<'_>) -> Outcom
     // a null pointer would stand for zero displacements or a start at the centre
     for (slice, length, name) in [
         (evaluation.u, coordinates, argument::U),
-        (evaluation.history, element.history(), argument::HISTORY_OLD),
+        (
+            evaluation.history,
+            element.history(),
+            argument::HISTORY_ACCEPTED,
+        ),
     ] {
         if !slice.is_empty() && slice.len() < length {
             return too_short(name);
@@ -79,7 +83,7 @@ pub fn evaluate(element: &Descriptor, evaluation: &mut Evaluation<'_>) -> Outcom
     arguments.parameters = evaluation.parameters.as_ptr();
     arguments.x = input(evaluation.x, coordinates);
     arguments.u = input(evaluation.u, coordinates);
-    arguments.hist_old = input(evaluation.history, element.history());
+    arguments.history_accepted = input(evaluation.history, element.history());
     arguments.slave_row = input(evaluation.slave_row, nslave + 1);
     let mut wanted = evaluation.bits;
     let mut output = |slice: &mut [f64], length: usize, bit: u32| {
@@ -100,7 +104,7 @@ pub fn evaluate(element: &Descriptor, evaluation: &mut Evaluation<'_>) -> Outcom
         element.points * OUTPUT_SIZE,
         request::OUTPUT,
     );
-    arguments.hist_new = output(evaluation.new_history, element.history(), request::HISTORY);
+    arguments.history_trial = output(evaluation.trial, element.history(), request::HISTORY);
     arguments.energy = output(evaluation.energy, 1, request::ENERGY);
     arguments.request = wanted;
     arguments.workspace = evaluation.workspace.as_mut_ptr();

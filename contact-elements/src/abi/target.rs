@@ -131,7 +131,7 @@ impl Target {
 
     /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too; with
     /// rolling the anchors and paths of both angles and the regime; of edges the normal; a multiplier last.
-    fn new_history(&mut self, point: usize, report: &Report) {
+    fn trial(&mut self, point: usize, report: &Report) {
         let layout = self.history_layout;
         let size = layout.size();
         let rolling = &report.rolling;
@@ -346,7 +346,7 @@ impl Receiver for Target {
             }
         }
         if !self.history.is_null() {
-            self.new_history(point, report);
+            self.trial(point, report);
         }
     }
 

@@ -54,7 +54,7 @@ pub fn place(
     }
     [a.x_node_stride, a.u_node_stride] = plan.strides;
     a.parameters = slots.parameters.input(parameters, edge);
-    a.hist_old = old;
+    a.history_accepted = old;
     if element.interpolated() {
         a.slave_row = slots.row.input(&state.row, edge);
     }
@@ -114,7 +114,7 @@ fn fill_pointers(a: &mut Arguments, plan: &Plan, arrays: &Arrays) {
     };
     a.f = pointer(request::RESIDUAL, Array::F, &arrays.f);
     a.k = pointer(request::TANGENT, Array::K, &arrays.k);
-    a.hist_new = pointer(request::HISTORY, Array::New, &arrays.new);
+    a.history_trial = pointer(request::HISTORY, Array::New, &arrays.new);
     a.output = pointer(request::OUTPUT, Array::Output, &arrays.output);
     a.energy = pointer(request::ENERGY, Array::Energy, &arrays.energy);
     match plan.null {

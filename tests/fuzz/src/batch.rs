@@ -29,8 +29,8 @@ const OPEN: i32 = 0;
 const OUTSIDE: i32 = 4;
 /// `CTE_CUT_BACK`.
 const CUT_BACK: i32 = 1;
-/// `CTE_ARGUMENT_HISTORY_OLD`.
-const HISTORY_OLD: i32 = 8;
+/// `CTE_ARGUMENT_HISTORY_ACCEPTED`.
+const HISTORY_ACCEPTED: i32 = 8;
 
 /// Arrays that are written.
 pub struct Arrays {
@@ -138,7 +138,7 @@ pub fn place(
     b.parameters = slots.parameters.input(&parameters(contacts), edge);
     b.parameter_element_stride = contacts.parameter_stride;
     if let Some(old) = &contacts.old {
-        b.hist_old = slots.old.input(old, edge);
+        b.history_accepted = slots.old.input(old, edge);
     }
     if element.interpolated() {
         let rows: Vec<f64> = contacts.states.iter().flat_map(|s| s.row.clone()).collect();
@@ -184,7 +184,7 @@ fn fill_pointers(b: &mut Batch, contacts: &Contacts, arrays: &Arrays) {
     b.k = or_null(contacts.own, arrays.k.pointer);
     b.global_f = or_null(contacts.scattered, arrays.global_f.pointer);
     b.csr_values = or_null(contacts.scattered, arrays.csr_values.pointer);
-    (b.hist_new, b.output) = (arrays.new.pointer, arrays.output.pointer);
+    (b.history_trial, b.output) = (arrays.new.pointer, arrays.output.pointer);
     (b.energy, b.status) = (arrays.energy.pointer, arrays.status.pointer);
     b.workspace = arrays.workspace.pointer;
     if contacts.codes {
@@ -196,7 +196,7 @@ fn fill_pointers(b: &mut Batch, contacts: &Contacts, arrays: &Arrays) {
         Some(4) => b.slave_row = null(),
         Some(5) => b.f = null_mut(),
         Some(6) => b.k = null_mut(),
-        Some(7) => b.hist_new = null_mut(),
+        Some(7) => b.history_trial = null_mut(),
         Some(8) => b.output = null_mut(),
         Some(9) => b.energy = null_mut(),
         Some(10) => b.status = null_mut(),
@@ -250,7 +250,7 @@ fn check_whole(contacts: &Contacts, code: i32, arrays: &Arrays) -> Checked {
     let own = [
         ("f", &arrays.f),
         ("k", &arrays.k),
-        ("hist_new", &arrays.new),
+        ("history_trial", &arrays.new),
         ("output", &arrays.output),
         ("energy", &arrays.energy),
     ];
@@ -298,7 +298,7 @@ fn may_be_left_out(bits: u32, alone: &Outcome) -> bool {
         CUT_BACK => true,
         _ => {
             let is_asked_for = bits & (request::HISTORY | request::OUTPUT) != 0;
-            alone.scalars[2] == HISTORY_OLD && !is_asked_for
+            alone.scalars[2] == HISTORY_ACCEPTED && !is_asked_for
         }
     }
 }

@@ -178,8 +178,8 @@ fn check_arrays(
     all(request::ENERGY, "energy", &arrays.energy)?;
     let old = plan.old.as_ref().filter(|_| plan.aliased);
     match (wants(request::HISTORY), old) {
-        (false, Some(old)) => crate::check::unchanged("hist_old", &arrays.new, old)?,
-        _ => all(request::HISTORY, "hist_new", &arrays.new)?,
+        (false, Some(old)) => crate::check::unchanged("history_accepted", &arrays.new, old)?,
+        _ => all(request::HISTORY, "history_trial", &arrays.new)?,
     }
     outcome(harness, (element, plan), code, scalars, arrays)
 }

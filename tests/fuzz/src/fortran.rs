@@ -170,7 +170,7 @@ fn check_arrays(
     let square =
         move || (0..unknowns).flat_map(move |i| (0..unknowns).map(move |j| i + j * stride));
     let lists = [
-        ("hist_new", request::HISTORY, &arrays.new),
+        ("history_trial", request::HISTORY, &arrays.new),
         ("f", request::RESIDUAL, &arrays.f),
         ("output", request::OUTPUT, &arrays.output),
         ("energy", request::ENERGY, &arrays.energy),

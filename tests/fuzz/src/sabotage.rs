@@ -105,9 +105,9 @@ unsafe fn harm(sabotage: Sabotage, arguments: &mut Arguments, code: i32) -> i32 
             Sabotage::WriteOnError
                 if code < 0
                     && arguments.request & request::HISTORY != 0
-                    && !arguments.hist_new.is_null() =>
+                    && !arguments.history_trial.is_null() =>
             {
-                *arguments.hist_new = 0.0;
+                *arguments.history_trial = 0.0;
             }
             Sabotage::LeaveOut if wants(request::ENERGY) => {
                 *energy = f64::from_bits(crate::memory::CANARY);

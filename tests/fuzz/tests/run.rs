@@ -80,7 +80,9 @@ fn verdict(sabotage: Sabotage) -> &'static str {
         Sabotage::WriteInput | Sabotage::ReadBehind => "signal: 11",
         Sabotage::WriteStruct => "an input of the struct was written",
         Sabotage::WriteUnrequested => "energy: entry 0 was written|signal: 11",
-        Sabotage::WriteOnError => "hist_new: entry 0 was written|hist_old: entry 0 was written",
+        Sabotage::WriteOnError => {
+            "history_trial: entry 0 was written|history_accepted: entry 0 was written"
+        }
         Sabotage::LeaveOut => "energy: entry 0 was not written",
         Sabotage::Code => "undocumented return code 77",
         Sabotage::Status => "undocumented status 99",

@@ -134,8 +134,8 @@ pub fn evaluate(
             if !form.same_parameters {
                 batch.parameters = batch.parameters.add(at * element.parameters.len());
             }
-            batch.hist_old = contacts.history.as_ptr().add(at * element.history());
-            batch.hist_new = out.history.as_mut_ptr().add(at * element.history());
+            batch.history_accepted = contacts.history.as_ptr().add(at * element.history());
+            batch.history_trial = out.history.as_mut_ptr().add(at * element.history());
             batch.output = out.output.as_mut_ptr().add(at * OUTPUT_SIZE * points);
             batch.energy = out.energy.as_mut_ptr().add(at);
             batch.status = out.status.as_mut_ptr().add(at);

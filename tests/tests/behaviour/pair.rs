@@ -110,7 +110,7 @@ impl Pair {
                 residual: &mut residual,
                 tangent: &mut tangent,
                 output: &mut output,
-                new_history: &mut history,
+                trial: &mut history,
                 energy: &mut energy,
                 bits: self.bits,
                 ..Evaluation::default()

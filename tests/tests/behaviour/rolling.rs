@@ -274,7 +274,7 @@ fn histories_and_curves_that_cannot_be() {
         let (code, _, argument, index) = refused(&pair, &x);
         assert_eq!(
             (code, argument, index),
-            (wrong, argument::HISTORY_OLD, entry as i32)
+            (wrong, argument::HISTORY_ACCEPTED, entry as i32)
         );
     }
     pair.history = whole;

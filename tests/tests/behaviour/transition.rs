@@ -90,7 +90,7 @@ impl Surface {
                 residual: &mut found.residual,
                 tangent: &mut found.tangent,
                 output: &mut found.output,
-                new_history: &mut found.history,
+                trial: &mut found.history,
                 energy: &mut energy,
                 workspace: &mut vec![0.0; workspace],
                 ..Evaluation::default()

@@ -329,7 +329,7 @@ fn bad_input() {
     let outcome = project(element, &good, &mut [Projection::default()], &mut [0.0; 2]);
     assert_eq!(
         (outcome.code, outcome.argument),
-        (code::NULL, argument::HISTORY_NEW)
+        (code::NULL, argument::HISTORY_TRIAL)
     );
 }
 

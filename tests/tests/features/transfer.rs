@@ -39,7 +39,7 @@ impl Point {
                 history: old,
                 residual: &mut point.force,
                 output: &mut point.output,
-                new_history: &mut point.history,
+                trial: &mut point.history,
                 ..Evaluation::default()
             },
         );

@@ -119,12 +119,12 @@ fn evaluate(mesh: &Mesh, form: Form, threads: Option<i32>) -> Outputs {
     (batch.x, batch.u) = (mesh.x.as_ptr(), mesh.u.as_ptr());
     batch.connectivity = mesh.connectivity.as_ptr();
     batch.global_nodes = (mesh.x.len() / 3) as i64;
-    batch.hist_old = if form.in_place {
+    batch.history_accepted = if form.in_place {
         new
     } else {
         mesh.history.as_ptr()
     };
-    batch.hist_new = new;
+    batch.history_trial = new;
     batch.slave_row = mesh.slave_rows.as_ptr();
     if form.dense {
         (batch.f, batch.k) = (f, k);

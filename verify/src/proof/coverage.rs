@@ -137,7 +137,7 @@ struct Data {
     residual: Vec<f64>,
     tangent: Vec<f64>,
     output: Vec<f64>,
-    new_history: Vec<f64>,
+    trial: Vec<f64>,
     energy: Vec<f64>,
     workspace: Vec<f64>,
     bits: u32,
@@ -154,16 +154,16 @@ const FAULTS: [Fault; 17] = [
     ("negative stiffness", code::PARAMETER, argument::PARAMETERS, |d| d.parameters[0] = -1.0),
     ("NaN parameter", code::NOT_FINITE, argument::PARAMETERS, |d| d.parameters[0] = f64::NAN),
     ("unknown request", code::REQUEST, argument::REQUEST, |d| d.bits = 1 << 20),
-    ("short history", code::NULL, argument::HISTORY_OLD, |d| d.history.truncate(2)),
-    ("huge history", code::NOT_FINITE, argument::HISTORY_OLD, |d| d.history[1] = 1e300),
-    ("frozen without history", code::NULL, argument::HISTORY_OLD, |d| {
+    ("short history", code::NULL, argument::HISTORY_ACCEPTED, |d| d.history.truncate(2)),
+    ("huge history", code::NOT_FINITE, argument::HISTORY_ACCEPTED, |d| d.history[1] = 1e300),
+    ("frozen without history", code::NULL, argument::HISTORY_ACCEPTED, |d| {
         d.bits = request::FREEZE_STATE;
         d.history.clear();
     }),
     ("short residual", code::NULL, argument::F, |d| d.residual.truncate(14)),
     ("short tangent", code::NULL, argument::K, |d| d.tangent.truncate(224)),
     ("short output", code::NULL, argument::OUTPUT, |d| d.output.truncate(10)),
-    ("short new history", code::NULL, argument::HISTORY_NEW, |d| d.new_history.truncate(2)),
+    ("short new history", code::NULL, argument::HISTORY_TRIAL, |d| d.trial.truncate(2)),
     ("energy without its array", code::NULL, argument::ENERGY, |d| {
         d.bits = request::ENERGY;
         d.energy.clear();
@@ -184,11 +184,11 @@ const INTERPOLATED_FAULTS: [Fault; 3] = [
 const FRICTIONAL_FAULTS: [Fault; 7] = [
     ("tangential stiffness of zero", code::PARAMETER, argument::PARAMETERS, |d| d.parameters[1] = 0.0),
     ("negative coefficient of friction", code::PARAMETER, argument::PARAMETERS, |d| d.parameters[2] = -0.1),
-    ("history without anchor", code::NULL, argument::HISTORY_OLD, |d| d.history.truncate(3)),
-    ("anchor that is no number", code::NOT_FINITE, argument::HISTORY_OLD, |d| d.history[3] = f64::NAN),
-    ("anchor far away", code::HISTORY, argument::HISTORY_OLD, |d| d.history[3] = 6e7),
-    ("negative path", code::HISTORY, argument::HISTORY_OLD, |d| d.history[5] = -1.0),
-    ("status of no kind", code::HISTORY, argument::HISTORY_OLD, |d| d.history[0] = 2.5),
+    ("history without anchor", code::NULL, argument::HISTORY_ACCEPTED, |d| d.history.truncate(3)),
+    ("anchor that is no number", code::NOT_FINITE, argument::HISTORY_ACCEPTED, |d| d.history[3] = f64::NAN),
+    ("anchor far away", code::HISTORY, argument::HISTORY_ACCEPTED, |d| d.history[3] = 6e7),
+    ("negative path", code::HISTORY, argument::HISTORY_ACCEPTED, |d| d.history[5] = -1.0),
+    ("status of no kind", code::HISTORY, argument::HISTORY_ACCEPTED, |d| d.history[0] = 2.5),
 ];
 
 /// Puts every fault into a call of its own.
@@ -211,7 +211,7 @@ fn front_door(finding: &mut Finding, subjects: &[Subject], name: &str, faults: &
             residual: vec![1.0; 15],
             tangent: vec![1.0; 225],
             output: vec![1.0; OUTPUT_SIZE],
-            new_history: vec![1.0; descriptor.history()],
+            trial: vec![1.0; descriptor.history()],
             energy: vec![1.0],
             workspace: vec![0.0; descriptor.workspace(5)],
             bits: 0,
@@ -242,7 +242,7 @@ impl Data {
             &mut self.residual,
             &mut self.tangent,
             &mut self.output,
-            &mut self.new_history,
+            &mut self.trial,
             &mut self.energy,
         ]
     }
@@ -264,7 +264,7 @@ fn called(subject: &Subject, data: &mut Data) -> Outcome {
             residual: &mut data.residual,
             tangent: &mut data.tangent,
             output: &mut data.output,
-            new_history: &mut data.new_history,
+            trial: &mut data.trial,
             energy: &mut data.energy,
             workspace: &mut data.workspace,
             bits: data.bits,

@@ -115,8 +115,8 @@ impl<'a> Checked<'a> {
             let bit = refused.trailing_zeros() as usize;
             return Err((code::REQUEST, argument::REQUEST, bit));
         }
-        if arguments.request & request::FREEZE_STATE != 0 && arguments.hist_old.is_null() {
-            return Err((code::NULL, argument::HISTORY_OLD, 0));
+        if arguments.request & request::FREEZE_STATE != 0 && arguments.history_accepted.is_null() {
+            return Err((code::NULL, argument::HISTORY_ACCEPTED, 0));
         }
         if arguments.x.is_null() {
             return Err((code::NULL, argument::X, 0));
@@ -135,9 +135,12 @@ impl<'a> Checked<'a> {
             self.nodes = Some(nodes(self.facet, arguments, n)?);
             let count = given.min(self.parameters());
             self.values = core::slice::from_raw_parts(arguments.parameters, count);
-            self.history = (!arguments.hist_old.is_null()).then(|| {
+            self.history = (!arguments.history_accepted.is_null()).then(|| {
                 // Cell<f64> has the layout of f64
-                core::slice::from_raw_parts(arguments.hist_old.cast(), self.slaves * HISTORY)
+                core::slice::from_raw_parts(
+                    arguments.history_accepted.cast(),
+                    self.slaves * HISTORY,
+                )
             });
         }
         self.check_values()?;
@@ -241,7 +244,7 @@ impl<'a> Checked<'a> {
         for (at, entry) in entries.iter().enumerate() {
             let value = entry.get();
             if !is_usable(value) {
-                return Err((code::NOT_FINITE, argument::HISTORY_OLD, at));
+                return Err((code::NOT_FINITE, argument::HISTORY_ACCEPTED, at));
             }
             let is_possible = match at.checked_rem(HISTORY) {
                 Some(0) => is_status(value),
@@ -249,7 +252,7 @@ impl<'a> Checked<'a> {
                 _ => true,
             };
             if !is_possible {
-                return Err((code::HISTORY, argument::HISTORY_OLD, at));
+                return Err((code::HISTORY, argument::HISTORY_ACCEPTED, at));
             }
         }
         Ok(())

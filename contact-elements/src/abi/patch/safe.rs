@@ -53,7 +53,7 @@ pub fn evaluate_patch(facets: &Facets<'_>, evaluation: &mut Evaluation<'_>) -> O
             evaluation.history.len(),
             history,
             true,
-            argument::HISTORY_OLD,
+            argument::HISTORY_ACCEPTED,
         ),
         (
             evaluation.workspace.len(),
@@ -70,10 +70,10 @@ pub fn evaluate_patch(facets: &Facets<'_>, evaluation: &mut Evaluation<'_>) -> O
         ),
         (evaluation.output.len(), output, true, argument::OUTPUT),
         (
-            evaluation.new_history.len(),
+            evaluation.trial.len(),
             history,
             true,
-            argument::HISTORY_NEW,
+            argument::HISTORY_TRIAL,
         ),
     ];
     for (length, least, may_be_empty, name) in inputs {
@@ -105,7 +105,7 @@ pub fn evaluate_patch(facets: &Facets<'_>, evaluation: &mut Evaluation<'_>) -> O
     arguments.f = target(evaluation.residual, request::RESIDUAL);
     arguments.k = target(evaluation.tangent, request::TANGENT);
     arguments.output = target(evaluation.output, request::OUTPUT);
-    arguments.hist_new = target(evaluation.new_history, request::HISTORY);
+    arguments.history_trial = target(evaluation.trial, request::HISTORY);
     arguments.energy = target(evaluation.energy, request::ENERGY);
     arguments.request = wanted;
     arguments.parameters = evaluation.parameters.as_ptr();
@@ -115,7 +115,8 @@ pub fn evaluate_patch(facets: &Facets<'_>, evaluation: &mut Evaluation<'_>) -> O
         _ => slice.as_ptr(),
     };
     arguments.x = evaluation.x.as_ptr();
-    (arguments.u, arguments.hist_old) = (or_null(evaluation.u), or_null(evaluation.history));
+    (arguments.u, arguments.history_accepted) =
+        (or_null(evaluation.u), or_null(evaluation.history));
     arguments.workspace = evaluation.workspace.as_mut_ptr();
     arguments.workspace_size = evaluation.workspace.len() as i64;
     // SAFETY: every pointer is null or a slice of the length that the header asks for.

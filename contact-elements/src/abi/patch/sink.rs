@@ -59,7 +59,11 @@ impl Sink {
             f_scale: scale(arguments.f_scale)?,
             k_scale: scale(arguments.k_scale)?,
             output: wanted(request::OUTPUT, arguments.output, argument::OUTPUT)?,
-            history: wanted(request::HISTORY, arguments.hist_new, argument::HISTORY_NEW)?,
+            history: wanted(
+                request::HISTORY,
+                arguments.history_trial,
+                argument::HISTORY_TRIAL,
+            )?,
             energy: wanted(request::ENERGY, arguments.energy, argument::ENERGY)?,
         })
     }

@@ -259,10 +259,10 @@ impl Checked<'_> {
         batch.u = moved(batch.u, first, self.u.element);
         batch.connectivity = moved(batch.connectivity, first, self.nodes);
         batch.parameters = moved(batch.parameters, first, self.parameter_stride);
-        batch.hist_old = moved(batch.hist_old, first, history);
+        batch.history_accepted = moved(batch.history_accepted, first, history);
         batch.slave_row = moved(batch.slave_row, first, self.nslave + 1);
         batch.csr_map = moved(batch.csr_map, first, map);
-        batch.hist_new = moved(batch.hist_new, first, history).cast_mut();
+        batch.history_trial = moved(batch.history_trial, first, history).cast_mut();
         batch.f = moved(batch.f, first, self.f_stride).cast_mut();
         batch.k = moved(batch.k, first, self.k_stride).cast_mut();
         batch.output = moved(batch.output, first, output).cast_mut();

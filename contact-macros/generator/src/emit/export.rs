@@ -331,7 +331,7 @@ fn fortran(prefix: &Ident) -> TokenStream {
         pub unsafe extern "C" fn #evaluate(
             element: *const i32, request: *const i32, nnode: *const i32, nslave: *const i32,
             x: *const f64, u: *const f64, parameters: *const f64, parameter_count: *const i32,
-            hist_old: *const f64, hist_new: *mut f64, slave_row: *const f64, f: *mut f64,
+            history_accepted: *const f64, history_trial: *mut f64, slave_row: *const f64, f: *mut f64,
             k: *mut f64, ldk: *const i32, output: *mut f64, energy: *mut f64, status: *mut i32,
             code: *mut i32,
         ) {
@@ -339,7 +339,7 @@ fn fortran(prefix: &Ident) -> TokenStream {
             unsafe {
                 abi::fortran::evaluate(
                     &ELEMENTS, (element, request, nnode, nslave), (x, u),
-                    (parameters, parameter_count), (hist_old, hist_new), slave_row, (f, k, ldk),
+                    (parameters, parameter_count), (history_accepted, history_trial), slave_row, (f, k, ldk),
                     (output, energy), (status, code),
                 )
             }

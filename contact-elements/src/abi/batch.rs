@@ -1,8 +1,6 @@
 //! Many contacts of one element: in lanes where it has a kernel for that, else one after the other. Sums are taken
 //! in the order of the contacts.
 
-use core::cell::Cell;
-
 use super::batch_check::{Checked, Layout};
 use super::evaluate::{fault_of, history, parameters, slave_row, wanted, workspace};
 use super::outputs::Outputs;
@@ -12,7 +10,8 @@ use super::target::Target;
 use super::types::{Batch, is_whole};
 use super::{Descriptor, argument, code, request};
 use crate::runtime::{
-    AllPlaces, Call, Contacts, Coordinates, Nodes, Places, ROOM, Status, Wanted, Width, one_by_one,
+    AllPlaces, Call, Contacts, Coordinates, History, Nodes, Places, ROOM, Status, Wanted, Width,
+    one_by_one,
 };
 
 /// `cte_element_batch_workspace`.
@@ -218,7 +217,10 @@ impl Run<'_> {
 }
 
 impl Contacts for Run<'_> {
-    type Receiver = Target;
+    type Receiver<'r>
+        = Target
+    where
+        Self: 'r;
 
     #[inline(always)]
     fn next(&mut self, numbers: &mut [usize; ROOM]) -> usize {
@@ -250,7 +252,7 @@ impl Contacts for Run<'_> {
     }
 
     #[inline(always)]
-    fn history(&self, contact: usize) -> Option<&[Cell<f64>]> {
+    fn history(&self, contact: usize) -> Option<History<'_>> {
         // SAFETY: promised by the caller.
         unsafe { self.checked.history_of(contact) }
     }
@@ -286,7 +288,7 @@ impl Contacts for Run<'_> {
     }
 
     #[inline(always)]
-    fn receiver(&self, contact: usize) -> Target {
+    fn receiver(&mut self, contact: usize) -> Target {
         self.outputs.of(contact)
     }
 
@@ -334,7 +336,7 @@ impl<'a> Checked<'a> {
     /// # Safety
     /// As [`element_evaluate_batch`].
     #[inline(always)]
-    pub(super) unsafe fn history_of(&self, e: usize) -> Option<&'a [Cell<f64>]> {
+    pub(super) unsafe fn history_of(&self, e: usize) -> Option<History<'a>> {
         // SAFETY: promised by the caller.
         unsafe {
             let old = shifted(self.batch.history_accepted, e * self.element.history());

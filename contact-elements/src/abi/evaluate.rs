@@ -1,7 +1,5 @@
 //! One element: checks, then the kernel.
 
-use core::cell::Cell;
-
 use super::describe::bad_parameter;
 use super::places::Map;
 use super::sizes::{Fault, MOST_UNKNOWNS, extent, reported, slave_count, spacing};
@@ -9,7 +7,7 @@ use super::target::Target;
 use super::threads::Turn;
 use super::types::{Arguments, is_whole};
 use super::{Descriptor, argument, code, request};
-use crate::runtime::{Call, Coordinates, InputError, Nodes, Status, Summary, Wanted};
+use crate::runtime::{Call, Coordinates, History, InputError, Nodes, Status, Summary, Wanted};
 
 /// `cte_element_evaluate`.
 ///
@@ -244,15 +242,13 @@ pub(super) unsafe fn parameters<'a>(
 ///
 /// # Safety
 /// `values` is null or has the element's history.
-pub(super) unsafe fn history<'a>(
-    element: &Descriptor,
-    values: *const f64,
-) -> Option<&'a [Cell<f64>]> {
+pub(super) unsafe fn history<'a>(element: &Descriptor, values: *const f64) -> Option<History<'a>> {
     if values.is_null() {
         return None;
     }
     // SAFETY: promised by the caller; Cell<f64> has the layout of f64.
-    Some(unsafe { core::slice::from_raw_parts(values.cast(), element.history()) })
+    let values = unsafe { core::slice::from_raw_parts(values.cast(), element.history()) };
+    Some(History::Shared(values))
 }
 
 /// The row and weight of an interpolated slave.

@@ -1,12 +1,12 @@
 //! Which contacts of a batch are evaluated: all, or with `CTE_SCREEN` those that are not certainly open. The others
 //! are settled at once.
 
-use core::cell::Cell;
-
 use super::batch::Run;
 use super::batch_check::Checked;
 use super::{Descriptor, ScreenKernel, argument, code, request};
-use crate::runtime::{ROOM, Receiver, Report, Rolling, SCREENED, Status, is_status, is_usable};
+use crate::runtime::{
+    History, ROOM, Receiver, Report, Rolling, SCREENED, Status, is_status, is_usable,
+};
 
 /// How far the contacts of a batch have been looked at.
 pub(super) struct Screening {
@@ -110,12 +110,11 @@ impl Run<'_> {
         let is_reported = bits & (request::HISTORY | request::OUTPUT) != 0;
         let mut zeta = element.centre;
         if let (Some(history), true) = (history, is_reported) {
-            if !could_be_written(element, history) {
+            if !could_be_written(element, &history) {
                 return false;
             }
-            let own = history.iter().skip(1).take(element.projected);
-            for (to, entry) in zeta.iter_mut().zip(own) {
-                *to = entry.get();
+            for (i, to) in zeta.iter_mut().enumerate().take(element.projected) {
+                *to = history.get(1 + i).unwrap_or(*to);
             }
         }
         target.open(checked.unknowns());
@@ -148,11 +147,11 @@ fn report(bound: f64, zeta: [f64; 2]) -> Report {
 }
 
 /// True for a history that an evaluation takes: no edges, rolling or multipliers, which have no screen.
-fn could_be_written(element: &Descriptor, history: &[Cell<f64>]) -> bool {
+fn could_be_written(element: &Descriptor, history: &History<'_>) -> bool {
     let (p, slip) = (element.projected, element.history_layout().slip);
-    let at = |entry: usize| history.get(entry).map_or(0.0, Cell::get);
+    let at = |entry: usize| history.at(entry);
     let is_remembered = |i: usize| element.can_be_anchor(i, at(1 + p + i));
-    history.iter().all(|entry| is_usable(entry.get()))
+    (0..history.len()).all(|entry| is_usable(at(entry)))
         && (0..p).all(|i| element.can_be_projection(i, at(1 + i)))
         && (slip == 0 || is_status(at(0)) && (0..p).all(is_remembered) && at(2 * p + 1) >= 0.0)
 }

@@ -1,12 +1,11 @@
 //! First pass over a contact point: projection, gap, open or closed. It writes no output.
 
-use core::cell::Cell;
-
 use super::angle::{self, Blend};
 use super::driver::Stage;
 use super::element::Element;
 use super::enforcement::enforced;
 use super::friction::TangentialLaw;
+use super::history::History;
 use super::projection::{largest, project};
 use super::receiver::Call;
 use super::rolling::roll;
@@ -46,7 +45,7 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
     load_slave::<E, D, P, H>(call, stage, number);
     let history = call
         .history
-        .and_then(|history| history.get(number * E::HISTORY..));
+        .and_then(|history| history.from(number * E::HISTORY));
     let given = call.wanted.projection_given;
     let start = start::<E, D, P, H>(history);
     let found = project::<E, D, P, H>(stage.x, start, given, call.parameters, &mut stage.rows);
@@ -104,7 +103,7 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         return Ok(point);
     }
     let closed = match (call.wanted.freeze, history) {
-        (true, Some(history)) => is_load(history.first()),
+        (true, Some(history)) => is_load(history.get(0)),
         _ if has_multiplier => point.law.traction < 0.0,
         _ => E::Law::active(gap, call.parameters) > 0.0,
     };
@@ -137,19 +136,19 @@ pub(super) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
 
 /// Closed, stick or slip.
 #[inline(always)]
-fn is_load(status: Option<&Cell<f64>>) -> bool {
-    status.is_some_and(|status| status.get() >= 1.0 && status.get() <= 3.0)
+fn is_load(status: Option<f64>) -> bool {
+    status.is_some_and(|status| (1.0..=3.0).contains(&status))
 }
 
 /// Where the search begins: at the last projection, or at the centre.
 #[inline(always)]
 fn start<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    history: Option<&[Cell<f64>]>,
+    history: Option<History<'_>>,
 ) -> [f64; P] {
     let mut start = E::centre();
     if let Some(history) = history {
-        for (start, value) in start.iter_mut().zip(history.iter().skip(1)) {
-            *start = value.get();
+        for (i, start) in start.iter_mut().enumerate() {
+            *start = history.get(1 + i).unwrap_or(*start);
         }
     }
     start
@@ -159,14 +158,13 @@ fn start<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
 #[inline(always)]
 fn multiplier<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     unknowns: &[f64],
-    history: Option<&[Cell<f64>]>,
+    history: Option<History<'_>>,
     number: usize,
 ) -> f64 {
     if E::MULTIPLIER {
         return unknowns.get(number).copied().unwrap_or(0.0);
     }
-    let entry = history.and_then(|history| history.get(E::HISTORY - 1));
-    entry.map_or(0.0, Cell::get)
+    history.map_or(0.0, |history| history.at(E::HISTORY - 1))
 }
 
 /// Largest N, N' and W [as declared]: ½ ε g² of the largest ε and g that are taken. Products of larger ones would

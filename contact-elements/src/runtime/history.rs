@@ -1,5 +1,7 @@
 //! Where the entries of a contact point's history stand.
 
+use core::cell::Cell;
+
 /// Lengths of the parts of a contact point's history after the status, in their order; 0 where a part is absent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HistoryLayout {
@@ -46,5 +48,65 @@ impl HistoryLayout {
     /// Doubles of a contact point.
     pub const fn size(&self) -> usize {
         self.side_at() + self.side + self.multiplier
+    }
+}
+
+/// The accepted history of a call: numbers that nobody else writes, or cells, where the host handed in one array for the
+/// accepted and the trial history. All reads of a point come before its writes.
+#[derive(Clone, Copy, Debug)]
+pub enum History<'a> {
+    /// An array of its own.
+    Own(&'a [f64]),
+    /// An array that may be the trial history too.
+    Shared(&'a [Cell<f64>]),
+}
+
+impl History<'_> {
+    /// Number of entries.
+    #[inline(always)]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Own(values) => values.len(),
+            Self::Shared(values) => values.len(),
+        }
+    }
+
+    /// True where the element has no history.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// One entry.
+    #[inline(always)]
+    pub fn get(&self, entry: usize) -> Option<f64> {
+        match self {
+            Self::Own(values) => values.get(entry).copied(),
+            Self::Shared(values) => values.get(entry).map(Cell::get),
+        }
+    }
+
+    /// One entry; 0 beyond the end.
+    #[inline(always)]
+    pub fn at(&self, entry: usize) -> f64 {
+        self.get(entry).unwrap_or(0.0)
+    }
+
+    /// The entries from `first` on.
+    #[inline(always)]
+    pub fn from(&self, first: usize) -> Option<Self> {
+        Some(match self {
+            Self::Own(values) => Self::Own(values.get(first..)?),
+            Self::Shared(values) => Self::Shared(values.get(first..)?),
+        })
+    }
+
+    /// `count` entries from `first` on.
+    #[inline(always)]
+    pub fn part(&self, first: usize, count: usize) -> Option<Self> {
+        Some(match self {
+            Self::Own(values) => Self::Own(values.get(first..)?.get(..count)?),
+            Self::Shared(values) => Self::Shared(values.get(first..)?.get(..count)?),
+        })
     }
 }

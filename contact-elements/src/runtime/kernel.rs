@@ -1,12 +1,11 @@
 //! From coordinates anywhere in memory to an evaluation: checks, scratch.
 
-use core::cell::Cell;
-
 use super::contraction::Temporaries;
 use super::driver::{Call, Failure, Receiver, Stage, Summary, evaluate};
 use super::element::Element;
 use super::friction::TangentialLaw;
 use super::gather::{Nodes, gather, is_usable, multipliers, shift_of_row};
+use super::history::History;
 use super::rolling::is_remembered;
 use super::side::{is_side, is_side_given};
 use super::tangential::{MOST_COLUMNS, TangentialRows};
@@ -84,17 +83,19 @@ pub(crate) fn is_status(value: f64) -> bool {
 /// that is not negative; with rolling what [`is_remembered`] says; of edges what [`is_side`] says; a multiplier that is not positive.
 #[inline(always)]
 fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    history: &[Cell<f64>],
+    history: &History<'_>,
 ) -> Result<(), InputError> {
-    for (index, value) in history.iter().enumerate() {
-        if !is_usable(value.get()) {
+    for index in 0..history.len() {
+        if !is_usable(history.at(index)) {
             return Err(InputError::History(index));
         }
     }
-    for (number, own) in history.chunks_exact(E::HISTORY).enumerate() {
-        if let Err(entry) = check_point::<E, D, P, H>(own) {
-            return Err(InputError::Impossible(number * E::HISTORY + entry));
+    let mut first = 0;
+    while let Some(own) = history.part(first, E::HISTORY) {
+        if let Err(entry) = check_point::<E, D, P, H>(&own) {
+            return Err(InputError::Impossible(first + entry));
         }
+        first += E::HISTORY;
     }
     Ok(())
 }
@@ -102,9 +103,9 @@ fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: u
 /// The first entry of a point's history that no evaluation writes.
 #[inline(always)]
 fn check_point<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    own: &[Cell<f64>],
+    own: &History<'_>,
 ) -> Result<(), usize> {
-    let at = |entry: usize| own.get(entry).map_or(0.0, Cell::get);
+    let at = |entry: usize| own.at(entry);
     for i in 0..P {
         if !can_be_projection(at(1 + i), E::centre()[i], E::extent(i)) {
             return Err(1 + i);
@@ -162,7 +163,7 @@ pub fn fixed<
     receiver: &mut R,
 ) -> Result<Summary, InputError> {
     match call.history {
-        Some(history) => check_history::<E, D, P, H>(history)?,
+        Some(history) => check_history::<E, D, P, H>(&history)?,
         None if E::KEEPS_SIDE && !is_side_given::<E, D, P, H>(call.parameters) => {
             return Err(InputError::NoHistory);
         }
@@ -245,7 +246,7 @@ pub fn interpolated<
     receiver: &mut R,
 ) -> Result<Summary, InputError> {
     if let Some(history) = call.history {
-        check_history::<E, D, P, H>(history)?;
+        check_history::<E, D, P, H>(&history)?;
     }
     for (index, &value) in call.slave_row.iter().enumerate() {
         if !is_usable(value) {

@@ -52,7 +52,7 @@ pub use enforcement::Enforcement;
 pub use friction::{Friction, Frictionless, Tangential, TangentialLaw, return_map};
 pub(crate) use gather::is_usable;
 pub use gather::{Coordinates, Nodes};
-pub use history::HistoryLayout;
+pub use history::{History, HistoryLayout};
 pub use kernel::{InputError, fixed, interpolated, workspace};
 pub(crate) use kernel::{can_be_anchor, can_be_projection, is_status};
 pub use kinematics::{

@@ -1,7 +1,6 @@
 //! What goes into an evaluation besides the nodes, and what comes out.
 
-use core::cell::Cell;
-
+use super::history::History;
 use super::rolling::Rolling;
 use super::values::Status;
 
@@ -24,9 +23,8 @@ pub struct Call<'a> {
     /// Parameters, checked.
     pub parameters: &'a [f64],
     /// Accepted history: per point status and projected parameters, with friction the anchor and the slip
-    /// path too, with rolling what [`Rolling`] remembers; none: start at the centre. Cells,
-    /// because the host may hand in one array for the old and the new history; all reads come first.
-    pub history: Option<&'a [Cell<f64>]>,
+    /// path too, with rolling what [`Rolling`] remembers; none: start at the centre.
+    pub history: Option<History<'a>>,
     /// Interpolated slaves: shape row and weight.
     pub slave_row: &'a [f64],
     /// Wanted outputs.

@@ -8,11 +8,10 @@
 //!
 //! Calls, not inlined, and none for an element without rolling.
 
-use core::cell::Cell;
-
 use super::classify::Point;
 use super::driver::Stage;
 use super::element::Element;
+use super::history::History;
 use super::motion::{MotionRows, RollingForce};
 use super::receiver::{Call, Receiver};
 use super::sliding::Sliding;
@@ -98,9 +97,9 @@ struct Accepted {
 
 /// None where contact begins.
 #[inline(always)]
-fn accepted<const P: usize>(history: Option<&[Cell<f64>]>) -> Option<Accepted> {
+fn accepted<const P: usize>(history: Option<History<'_>>) -> Option<Accepted> {
     let history = history?;
-    let at = |index: usize| history.get(index).map_or(0.0, Cell::get);
+    let at = |index: usize| history.at(index);
     let own = |entry: usize| at(2 + 2 * P + entry);
     let status = at(0);
     if !(1.0..=3.0).contains(&status) {
@@ -148,7 +147,7 @@ pub(super) fn roll<E: Element<D, P, H>, const D: usize, const P: usize, const H:
     };
     let history = call
         .history
-        .and_then(|history| history.get(number * E::HISTORY..));
+        .and_then(|history| history.from(number * E::HISTORY));
     let angles = E::rolling_angles(&point.vectors, &point.gap, call.parameters);
     if !angles.are_known::<E, D, P, H>(&layout) {
         return Err(Status::Degenerate);

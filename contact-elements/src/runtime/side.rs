@@ -1,10 +1,9 @@
 //! The side of two edges of solids, kept in the history. [eq:side]
 
-use core::cell::Cell;
-
 use super::classify::orientation;
 use super::driver::placement;
 use super::element::Element;
+use super::history::History;
 use super::values::{Status, Vectors, dot};
 use crate::arithmetic::abs;
 
@@ -22,7 +21,7 @@ pub(crate) fn is_side(normal: &[f64; 3]) -> bool {
 /// Factor ±1 of the normal along b_1×b_2.
 #[inline(always)]
 pub(super) fn side<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    history: Option<&[Cell<f64>]>,
+    history: Option<History<'_>>,
     vectors: &Vectors<D, P, H>,
     feature: u8,
     parameters: &[f64],
@@ -38,8 +37,7 @@ pub(super) fn side<E: Element<D, P, H>, const D: usize, const P: usize, const H:
         return Ok(apart);
     }
     let remembered: [f64; D] = core::array::from_fn(|k| {
-        let entry = history.and_then(|history| history.get(E::HISTORY_LAYOUT.side_at() + k));
-        entry.map_or(0.0, Cell::get)
+        history.map_or(0.0, |history| history.at(E::HISTORY_LAYOUT.side_at() + k))
     });
     if remembered != [0.0; D] {
         let n = match placement::<E, D, P, H>(parameters) {

@@ -2,12 +2,11 @@
 //!
 //! Calls, not inlined: the kernel of an element stays as small as without friction, and compiles as fast.
 
-use core::cell::Cell;
-
 use super::classify::Point;
 use super::driver::{Stage, scale_variation};
 use super::element::Element;
 use super::friction::{Tangential, return_map};
+use super::history::History;
 use super::kernel::can_be_anchors;
 use super::placement::Placement;
 use super::receiver::{Call, Receiver};
@@ -48,9 +47,9 @@ impl<const P: usize> Default for Sliding<P> {
 
 /// Anchor and slip path of the accepted history; none where contact begins. [eq:anchor]
 #[inline(always)]
-fn accepted<const P: usize>(history: Option<&[Cell<f64>]>) -> Option<([f64; P], f64)> {
+fn accepted<const P: usize>(history: Option<History<'_>>) -> Option<([f64; P], f64)> {
     let history = history?;
-    let at = |index: usize| history.get(index).map_or(0.0, Cell::get);
+    let at = |index: usize| history.at(index);
     if at(0) < 1.0 || at(0) > 3.0 {
         return None;
     }
@@ -68,7 +67,7 @@ pub(super) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
 ) -> Result<Status, Status> {
     let history = call
         .history
-        .and_then(|history| history.get(number * E::HISTORY..));
+        .and_then(|history| history.from(number * E::HISTORY));
     // contact that begins is anchored where it is
     let remembered = accepted(history);
     let (anchor, path) = remembered.unwrap_or((zeta, 0.0));
@@ -83,9 +82,12 @@ pub(super) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
         *to = from;
     }
     let own = call.parameters.get(E::LAYOUT.tangential..).unwrap_or(&[]);
-    let forced = match (call.wanted.freeze, history.and_then(<[_]>::first)) {
-        (true, Some(status)) if status.get() == 2.0 => Some(Status::Stick),
-        (true, Some(status)) if status.get() == 3.0 => Some(Status::Slip),
+    let forced = match (
+        call.wanted.freeze,
+        history.and_then(|history| history.get(0)),
+    ) {
+        (true, Some(status)) if status == 2.0 => Some(Status::Stick),
+        (true, Some(status)) if status == 3.0 => Some(Status::Slip),
         _ => None,
     };
     let status =

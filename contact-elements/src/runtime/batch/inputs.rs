@@ -1,12 +1,11 @@
 //! From the host's arrays to the columns of a block.
 
-use core::cell::Cell;
-
 use super::Contacts;
 use super::block::{Column, Inputs, ROOM};
 use super::point::store_lanes;
 use super::wide::Wide;
 use crate::runtime::gather::are_usable;
+use crate::runtime::history::History;
 
 /// Takes the inputs of the first `length` contacts; one bit for each whose inputs can be used. The list goes on with
 /// the last number.
@@ -90,21 +89,18 @@ fn own_parameters<C: Contacts, const D: usize, const P: usize, const N: usize>(
 /// domain is asked in lanes.
 #[inline(always)]
 fn start<const D: usize, const P: usize, const N: usize>(
-    history: Option<&[Cell<f64>]>,
+    history: Option<History<'_>>,
     centre: &[f64; P],
     inputs: &mut Inputs<'_, D, P, N>,
     slot: usize,
 ) -> bool {
     let (mut status, mut start) = (0.0, *centre);
     if let Some(history) = history {
-        let Some((own, projection)) = history.split_first() else {
+        if history.len() <= P {
             return false;
-        };
-        let Some(projection) = projection.first_chunk::<P>() else {
-            return false;
-        };
-        status = own.get();
-        start = projection.each_ref().map(Cell::get);
+        }
+        status = history.at(0);
+        start = core::array::from_fn(|i| history.at(1 + i));
         if !(are_usable(&[status]) & are_usable(&start)) {
             return false;
         }

@@ -34,10 +34,9 @@ pub use dispatch::{Width, evaluate_batch, one_by_one};
 pub use places::{AllPlaces, Places};
 pub use screen::{SCREENED, is_screened, screen};
 
-use core::cell::Cell;
-
 use super::element::Element;
 use super::gather::Nodes;
+use super::history::History;
 use super::receiver::{Receiver, Wanted};
 use super::values::Status;
 use block::{Block, Records};
@@ -48,7 +47,9 @@ pub(super) use x86::Four;
 /// The contacts of a batch, as its kernel sees them.
 pub trait Contacts {
     /// Takes the outputs of one contact.
-    type Receiver: Receiver;
+    type Receiver<'r>: Receiver
+    where
+        Self: 'r;
     /// The numbers of the next contacts to be evaluated, ascending, and how many they are; none: all are done.
     fn next(&mut self, numbers: &mut [usize; ROOM]) -> usize;
     /// Wanted outputs of each.
@@ -60,13 +61,13 @@ pub trait Contacts {
     /// Parameters of a contact; none where they are refused.
     fn parameters(&self, contact: usize) -> Option<&[f64]>;
     /// Accepted history of a contact.
-    fn history(&self, contact: usize) -> Option<&[Cell<f64>]>;
+    fn history(&self, contact: usize) -> Option<History<'_>>;
     /// Nodes of a contact.
     fn nodes(&self, contact: usize) -> Nodes<'_>;
     /// All coordinates, where the components of a node stand side by side.
     fn places(&self) -> Option<AllPlaces<'_>>;
     /// Where the outputs of a contact go.
-    fn receiver(&self, contact: usize) -> Self::Receiver;
+    fn receiver(&mut self, contact: usize) -> Self::Receiver<'_>;
     /// Evaluates a contact by the kernel of one.
     fn evaluate_alone(&mut self, contact: usize);
     /// Notes that a contact is done.

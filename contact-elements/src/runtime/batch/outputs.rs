@@ -66,6 +66,7 @@ pub(super) fn write<C: Contacts, T: Wide, const D: usize, const P: usize, const 
             receiver.report(0, &report(points, slot, status, traction));
         }
         receiver.energy(energy);
+        drop(receiver);
         contacts.settle(contact, status);
     }
 }

@@ -2,8 +2,8 @@
 ! host's own compiler. The same names, the same layout; units, signs, shapes and failures are in the header.
 !
 !   Indices      from 0, as in C: elements, nodes, unknowns, parameters, unknown_map and connectivity.
-!   Memory       a fresh variable of a type below is zero (every default); set struct_size first:
-!                arguments%struct_size = int(c_sizeof(arguments), c_int32_t)
+!   Memory       a fresh variable of a type below begins as by the header's initialisers: its size, scales of 1, zeros.
+!                arguments = cte_arguments() begins again.
 !   Arrays       x, u, f, k, ... are addresses: arguments%x = c_loc(x), with x a target.
 !                x(dimension, nodes) is the header's [node][component].
 !   Tangent      column-major k(ld, ld): k_row_stride = 1, k_col_stride = ld.
@@ -82,7 +82,7 @@ module contact_elements
 
   ! What an element is
   type, bind(c) :: cte_info
-    integer(c_int32_t) :: struct_size = 0
+    integer(c_int32_t) :: struct_size = 88
     integer(c_int32_t) :: dimension = 0
     integer(c_int32_t) :: nodes_minimum = 0
     integer(c_int32_t) :: nodes_maximum = 0
@@ -100,86 +100,92 @@ module contact_elements
     integer(c_int64_t) :: formulation = 0
     type(c_ptr) :: name = c_null_ptr
     type(c_ptr) :: documentation = c_null_ptr
-    integer(c_int64_t) :: reserved(8) = 0
   end type cte_info
 
   ! One evaluation
   type, bind(c) :: cte_arguments
-    integer(c_int32_t) :: struct_size = 0
+    ! what every call sets
+    integer(c_int32_t) :: struct_size = 224
     integer(c_int32_t) :: request = 0
     integer(c_int32_t) :: nnode = 0
-    integer(c_int32_t) :: nslave = 0
-    integer(c_int64_t) :: element_id = 0
-    integer(c_int32_t) :: step = 0
-    integer(c_int32_t) :: increment = 0
-    integer(c_int32_t) :: iteration = 0
     integer(c_int32_t) :: parameter_count = 0
-    real(c_double) :: t = 0
-    real(c_double) :: dt = 0
     type(c_ptr) :: x = c_null_ptr
     type(c_ptr) :: u = c_null_ptr
-    type(c_ptr) :: u_old = c_null_ptr
-    type(c_ptr) :: v = c_null_ptr
-    integer(c_int64_t) :: x_node_stride = 0
-    integer(c_int64_t) :: u_node_stride = 0
     type(c_ptr) :: parameters = c_null_ptr
     type(c_ptr) :: history_accepted = c_null_ptr
     type(c_ptr) :: history_trial = c_null_ptr
-    type(c_ptr) :: slave_row = c_null_ptr
     type(c_ptr) :: f = c_null_ptr
     type(c_ptr) :: k = c_null_ptr
+    type(c_ptr) :: output = c_null_ptr
+    type(c_ptr) :: energy = c_null_ptr
+    ! what some calls set
+    real(c_double) :: f_scale = 1
+    real(c_double) :: k_scale = 1
     integer(c_int64_t) :: k_row_stride = 0
     integer(c_int64_t) :: k_col_stride = 0
     type(c_ptr) :: unknown_map = c_null_ptr
-    real(c_double) :: f_scale = 0
-    real(c_double) :: k_scale = 0
-    type(c_ptr) :: output = c_null_ptr
-    type(c_ptr) :: energy = c_null_ptr
+    integer(c_int64_t) :: x_node_stride = 0
+    integer(c_int64_t) :: u_node_stride = 0
+    type(c_ptr) :: slave_row = c_null_ptr
     type(c_ptr) :: workspace = c_null_ptr
     integer(c_int64_t) :: workspace_size = 0
+    integer(c_int32_t) :: nslave = 0
+    integer(c_int32_t) :: padding = 0
+    type(c_ptr) :: u_old = c_null_ptr
+    type(c_ptr) :: v = c_null_ptr
+    real(c_double) :: dt = 0
+    ! what every call writes
     real(c_double) :: dt_ratio = 0
     integer(c_int32_t) :: status = 0
     integer(c_int32_t) :: closed_points = 0
     integer(c_int32_t) :: error_argument = 0
     integer(c_int32_t) :: error_index = 0
-    integer(c_int64_t) :: reserved(8) = 0
   end type cte_arguments
 
   ! Many contacts of one element
   type, bind(c) :: cte_batch
-    integer(c_int32_t) :: struct_size = 0
+    ! what every call sets
+    integer(c_int32_t) :: struct_size = 272
     integer(c_int32_t) :: request = 0
-    integer(c_int32_t) :: nslave = 0
     integer(c_int32_t) :: parameter_count = 0
+    integer(c_int32_t) :: nslave = 0
     type(c_ptr) :: x = c_null_ptr
     type(c_ptr) :: u = c_null_ptr
-    integer(c_int64_t) :: x_element_stride = 0, x_node_stride = 0, x_component_stride = 0
-    integer(c_int64_t) :: u_element_stride = 0, u_node_stride = 0, u_component_stride = 0
-    type(c_ptr) :: connectivity = c_null_ptr
-    integer(c_int64_t) :: global_nodes = 0
     type(c_ptr) :: parameters = c_null_ptr
-    integer(c_int64_t) :: parameter_element_stride = 0
     type(c_ptr) :: history_accepted = c_null_ptr
     type(c_ptr) :: history_trial = c_null_ptr
-    type(c_ptr) :: slave_row = c_null_ptr
-    type(c_ptr) :: f = c_null_ptr
-    type(c_ptr) :: k = c_null_ptr
-    integer(c_int64_t) :: f_element_stride = 0
-    integer(c_int64_t) :: k_element_stride = 0
+    type(c_ptr) :: status = c_null_ptr
+    type(c_ptr) :: code = c_null_ptr
+    ! gathered from and added to the host's global arrays
+    type(c_ptr) :: connectivity = c_null_ptr
+    integer(c_int64_t) :: global_nodes = 0
     type(c_ptr) :: global_f = c_null_ptr
     type(c_ptr) :: csr_values = c_null_ptr
     type(c_ptr) :: csr_map = c_null_ptr
-    real(c_double) :: f_scale = 0, k_scale = 0
+    ! contact by contact
+    type(c_ptr) :: f = c_null_ptr
+    type(c_ptr) :: k = c_null_ptr
     type(c_ptr) :: output = c_null_ptr
     type(c_ptr) :: energy = c_null_ptr
-    type(c_ptr) :: status = c_null_ptr
-    type(c_ptr) :: code = c_null_ptr
+    ! what some calls set
+    real(c_double) :: f_scale = 1
+    real(c_double) :: k_scale = 1
+    integer(c_int64_t) :: x_element_stride = 0
+    integer(c_int64_t) :: x_node_stride = 0
+    integer(c_int64_t) :: x_component_stride = 0
+    integer(c_int64_t) :: u_element_stride = 0
+    integer(c_int64_t) :: u_node_stride = 0
+    integer(c_int64_t) :: u_component_stride = 0
+    integer(c_int64_t) :: parameter_element_stride = 0
+    integer(c_int64_t) :: f_element_stride = 0
+    integer(c_int64_t) :: k_element_stride = 0
+    type(c_ptr) :: slave_row = c_null_ptr
     type(c_ptr) :: workspace = c_null_ptr
     integer(c_int64_t) :: workspace_size = 0
+    ! what every call writes
     integer(c_int64_t) :: failed = 0
     integer(c_int32_t) :: error_argument = 0
     integer(c_int32_t) :: error_index = 0
-    integer(c_int64_t) :: reserved(8) = 0
   end type cte_batch
 
   ! A global projection of one contact point
@@ -195,21 +201,20 @@ module contact_elements
 
   ! Facets that share edges and vertices
   type, bind(c) :: cte_patch
-    integer(c_int32_t) :: struct_size = 0
+    integer(c_int32_t) :: struct_size = 56
     integer(c_int32_t) :: slave_points = 0
     integer(c_int32_t) :: master_nodes = 0
     integer(c_int32_t) :: facets = 0
     type(c_ptr) :: facet = c_null_ptr
+    type(c_ptr) :: connectivity = c_null_ptr
     type(c_ptr) :: edge = c_null_ptr
     type(c_ptr) :: vertex = c_null_ptr
-    type(c_ptr) :: connectivity = c_null_ptr
     real(c_double) :: reach = 0
-    integer(c_int64_t) :: reserved(8) = 0
   end type cte_patch
 
   ! The functions below in one table; c_f_procpointer makes procedure pointers of the entries
   type, bind(c) :: cte_api_table
-    integer(c_int32_t) :: struct_size = 0
+    integer(c_int32_t) :: struct_size = 192
     integer(c_int32_t) :: version = 0
     type(c_funptr) :: element_count = c_null_funptr
     type(c_funptr) :: element_get = c_null_funptr

@@ -24,7 +24,8 @@
  *                domain, where sum of w B may vanish, or with weights below 1e-30, and laws whose values leave
  *                the range of a double.
  *   Growth       every struct begins with its size as the caller compiled it; new fields come at the
- *                end; a zero field means its default. Zero a struct (memset or = {0}) before filling it.
+ *                end. Begin a struct with its initialiser: cte_arguments a = CTE_ARGUMENTS_INIT; or, later,
+ *                a = (cte_arguments)CTE_ARGUMENTS_INIT; (C99). It sets the size, scales of 1 and zeros.
  *   Returns      0 fine; > 0 recoverable (see CTE_CUT_BACK); < 0 the caller's fault. On anything but 0
  *                no array of the caller is written; a batch with CTE_CUT_BACK: see cte_batch.
  *   Sizes        a call has at most 2^30 - 1 unknowns; counts and strides whose products exceed any memory
@@ -51,7 +52,7 @@ extern "C" {
 #define CTE_CUT_BACK 1
 /* The caller's fault; `error_argument` and `error_index` of cte_arguments name the place. */
 #define CTE_ERROR_NULL (-1)        /* a required pointer is null */
-#define CTE_ERROR_STRUCT_SIZE (-2) /* struct_size is smaller than version 1.0 of the struct */
+#define CTE_ERROR_STRUCT_SIZE (-2) /* struct_size is smaller than in version 1.0, or that of 0.1 */
 #define CTE_ERROR_NODE_COUNT (-3)  /* nnode or nslave does not fit the element, or gives too many unknowns */
 #define CTE_ERROR_PARAMETER (-4)   /* too few parameters, or one outside its range */
 #define CTE_ERROR_REQUEST (-5)     /* an unknown bit, or one this element does not offer */
@@ -272,52 +273,52 @@ typedef struct cte_info {
   uint64_t formulation;      /* hash of the formulation: changes when the generated code means something else */
   const char *name;          /* zero-terminated, static */
   const char *documentation; /* zero-terminated, static: the declaration's comment */
-  uint64_t reserved[8];
 } cte_info;
+#define CTE_INFO_INIT {(uint32_t)sizeof(cte_info), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0u, 0, 0, 0, 0u, 0, 0}
 
 /* ------------------------------------------------------------------ cte_arguments: one evaluation */
 typedef struct cte_arguments {
-  uint32_t struct_size;    /* in: sizeof(cte_arguments) */
-  uint32_t request;        /* CTE_RESIDUAL | ... */
-  int32_t nnode;           /* nodes in this call; 0: the element's own number */
-  int32_t nslave;          /* interpolated slaves: number of slave nodes; else 0 or the element's own number */
-  int64_t element_id;      /* the host's number; not used */
-  int32_t step;            /* not used */
-  int32_t increment;       /* not used */
-  int32_t iteration;       /* not used */
-  int32_t parameter_count; /* entries of parameters */
-  double t;                /* time at the end of the step; not used */
-  double dt;               /* not used */
-  const double *x;         /* reference coordinates [node][component] [length] */
-  const double *u;         /* displacements at the end of the step, same shape; null: zero */
-  const double *u_old;     /* at its start; null allowed; not used: what friction remembers is in history_accepted */
-  const double *v;         /* velocities; null allowed; not used */
-  int64_t x_node_stride;   /* doubles from node to node in x, at least dimension; 0: dimension */
-  int64_t u_node_stride;   /* the same in u, u_old, v; 0: dimension */
-  const double *parameters;
-  const double *history_accepted;  /* accepted history; null: the projection starts from the centre, and contact with
-                            * friction begins here (CTE_ERROR_NULL with CTE_FREEZE_STATE or
-                            * CTE_PROJECTION_GIVEN, and for edges with orientation 0) */
-  double *history_trial;        /* trial history; may be the same array as history_accepted */
-  const double *slave_row; /* interpolated slaves: shape functions of the slave point [nslave], then its weight */
-  double *f;               /* residual; entry i goes to f[unknown_map ? unknown_map[i] : i] */
-  double *k;               /* tangent; entry (i,j) goes to k[row(i)*k_row_stride + row(j)*k_col_stride] */
-  int64_t k_row_stride;    /* 0 with k_col_stride 0: row-major, dense: 1 + the largest host row */
+  /* what every call sets */
+  uint32_t struct_size;           /* sizeof(cte_arguments): set by CTE_ARGUMENTS_INIT */
+  uint32_t request;               /* CTE_RESIDUAL | ... */
+  int32_t nnode;                  /* nodes in this call; 0: the element's own number */
+  int32_t parameter_count;        /* entries of parameters */
+  const double *x;                /* reference coordinates [node][component] [length] */
+  const double *u;                /* displacements at the end of the step, same shape; null: zero */
+  const double *parameters;       /* in the order of cte_element_parameter */
+  const double *history_accepted; /* accepted history; null: the projection starts from the centre, and contact with
+                                   * friction begins here (CTE_ERROR_NULL with CTE_FREEZE_STATE or
+                                   * CTE_PROJECTION_GIVEN, and for edges with orientation 0) */
+  double *history_trial;          /* trial history; may be the same array as history_accepted */
+  double *f;                      /* residual; entry i goes to f[unknown_map ? unknown_map[i] : i] */
+  double *k;                      /* tangent; entry (i,j) goes to k[row(i)*k_row_stride + row(j)*k_col_stride] */
+  double *output;                 /* [points][CTE_OUTPUT_SIZE] */
+  double *energy;                 /* [1] contact energy [force*length] */
+  /* what some calls set */
+  double f_scale;                 /* f is multiplied by it; CTE_ARGUMENTS_INIT sets 1 */
+  double k_scale;                 /* K is multiplied by it; CTE_ARGUMENTS_INIT sets 1 */
+  int64_t k_row_stride;           /* 0 with k_col_stride 0: row-major, dense: 1 + the largest host row */
   int64_t k_col_stride;
-  const int32_t *unknown_map; /* element unknown -> host row, all different (not checked); null: identity */
-  double f_scale;          /* f is multiplied by it; 0: 1 */
-  double k_scale;          /* K is multiplied by it; 0: 1 */
-  double *output;          /* [points][CTE_OUTPUT_SIZE] */
-  double *energy;          /* [1] contact energy [force*length] */
-  double *workspace;       /* [cte_info.workspace]; null allowed where that is 0, else CTE_ERROR_NULL */
-  int64_t workspace_size;  /* doubles in workspace; too few: CTE_ERROR_WORKSPACE */
-  double dt_ratio;         /* out: 1, or a wish for a smaller step (0.5) with CTE_CUT_BACK */
-  int32_t status;          /* out: CTE_STATUS_* of the element */
-  int32_t closed_points;   /* out: how many contact points are closed */
-  int32_t error_argument;  /* out: CTE_ARGUMENT_* with a return other than 0 */
-  int32_t error_index;     /* out: node, entry or contact point, see CTE_ARGUMENT_* */
-  uint64_t reserved[8];
+  const int32_t *unknown_map;     /* element unknown -> host row, all different (not checked); null: identity */
+  int64_t x_node_stride;          /* doubles from node to node in x, at least dimension; 0: dimension */
+  int64_t u_node_stride;          /* the same in u; 0: dimension */
+  const double *slave_row;        /* interpolated slaves: shape functions of the slave point [nslave], then its weight */
+  double *workspace;              /* [cte_info.workspace]; null allowed where that is 0, else CTE_ERROR_NULL */
+  int64_t workspace_size;         /* doubles in workspace; too few: CTE_ERROR_WORKSPACE */
+  int32_t nslave;                 /* interpolated slaves: number of slave nodes; else 0 or the element's own number */
+  int32_t padding;                /* not read */
+  const double *u_old;            /* displacements at the start of the step; not read yet */
+  const double *v;                /* velocities; not read yet */
+  double dt;                      /* length of the step; not read yet */
+  /* what every call writes */
+  double dt_ratio;                /* 1, or a wish for a smaller step (0.5) with CTE_CUT_BACK */
+  int32_t status;                 /* CTE_STATUS_* of the element */
+  int32_t closed_points;          /* how many contact points are closed */
+  int32_t error_argument;         /* CTE_ARGUMENT_* with a return other than 0 */
+  int32_t error_index;            /* node, entry or contact point, see CTE_ARGUMENT_* */
 } cte_arguments;
+#define CTE_ARGUMENTS_INIT {(uint32_t)sizeof(cte_arguments), 0u, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0, 1.0, 0, 0, 0, 0, 0, \
+                            0, 0, 0, 0, 0, 0, 0, 0.0, 0.0, 0, 0, 0, 0}
 
 /* ------------------------------------------------------------------ cte_batch: many contacts of one element
  * Array layout: entry (contact e, node a, component c) of x stands at
@@ -335,41 +336,47 @@ typedef struct cte_arguments {
  * is added; the others are valid and the batch returns CTE_CUT_BACK. A fault of the batch (< 0: pointers,
  * counts, strides, connectivity, workspace) leaves everything unwritten. n = 0 is fine, with any pointers. */
 typedef struct cte_batch {
-  uint32_t struct_size;
+  /* what every call sets */
+  uint32_t struct_size;           /* sizeof(cte_batch): set by CTE_BATCH_INIT */
   uint32_t request;
-  int32_t nslave;              /* interpolated slaves: slave nodes of every contact; else 0 or the element's own */
   int32_t parameter_count;
+  int32_t nslave;                 /* interpolated slaves: slave nodes of every contact; else 0 or the element's own */
   const double *x;
-  const double *u;             /* null: zero */
+  const double *u;                /* null: zero */
+  const double *parameters;
+  const double *history_accepted; /* [n][history], null allowed */
+  double *history_trial;          /* [n][history] */
+  int32_t *status;                /* [n] required: CTE_STATUS_* */
+  int32_t *code;                  /* [n] or null: return code of each contact */
+  /* gathered from and added to the host's global arrays */
+  const int32_t *connectivity;    /* [n][nnode], null: array layout */
+  int64_t global_nodes;           /* with connectivity: nodes in x and u, for checking */
+  double *global_f;               /* [global_nodes*dimension]: node*dimension + component; added to */
+  double *csr_values;             /* the caller's CSR values; added to */
+  const int64_t *csr_map;         /* [n][unknowns][unknowns], made once by cte_csr_map; with CTE_CSR_BY_BLOCKS
+                                   * [n][nnode][nnode + 1], made once by cte_csr_blocks */
+  /* contact by contact */
+  double *f;                      /* [n][unknowns], null allowed when global_f is given */
+  double *k;                      /* [n][unknowns][unknowns] row-major, null allowed when csr_values is given */
+  double *output;                 /* [n][points][CTE_OUTPUT_SIZE] */
+  double *energy;                 /* [n] */
+  /* what some calls set */
+  double f_scale, k_scale;        /* CTE_BATCH_INIT sets 1 */
   int64_t x_element_stride, x_node_stride, x_component_stride;
   int64_t u_element_stride, u_node_stride, u_component_stride;
-  const int32_t *connectivity; /* [n][nnode], null: array layout */
-  int64_t global_nodes;        /* with connectivity: nodes in x and u, for checking */
-  const double *parameters;
   int64_t parameter_element_stride; /* 0: one set for all; else at least parameter_count */
-  const double *history_accepted;      /* [n][history], null allowed */
-  double *history_trial;            /* [n][history] */
-  const double *slave_row;     /* [n][nslave + 1] */
-  double *f;                   /* [n][unknowns], null allowed when global_f is given */
-  double *k;                   /* [n][unknowns][unknowns] row-major, null allowed when csr_values is given */
-  int64_t f_element_stride;    /* at least unknowns; 0: unknowns */
-  int64_t k_element_stride;    /* at least unknowns^2; 0: unknowns^2 */
-  double *global_f;            /* [global_nodes*dimension]: node*dimension + component; added to */
-  double *csr_values;          /* the caller's CSR values; added to */
-  const int64_t *csr_map;      /* [n][unknowns][unknowns], made once by cte_csr_map; with CTE_CSR_BY_BLOCKS
-                                * [n][nnode][nnode + 1], made once by cte_csr_blocks */
-  double f_scale, k_scale;     /* 0: 1 */
-  double *output;              /* [n][points][CTE_OUTPUT_SIZE] */
-  double *energy;              /* [n] */
-  int32_t *status;             /* [n] required: CTE_STATUS_* */
-  int32_t *code;               /* [n] or null: return code of each contact */
-  double *workspace;           /* [cte_element_batch_workspace]; null allowed where that is 0 */
+  int64_t f_element_stride;       /* at least unknowns; 0: unknowns */
+  int64_t k_element_stride;       /* at least unknowns^2; 0: unknowns^2 */
+  const double *slave_row;        /* [n][nslave + 1] */
+  double *workspace;              /* [cte_element_batch_workspace]; null allowed where that is 0 */
   int64_t workspace_size;
-  int64_t failed;              /* out: contacts with a code other than 0 */
-  int32_t error_argument;      /* out: argument of the batch's fault, or of the first failing contact's */
-  int32_t error_index;         /* out: with CTE_CUT_BACK the first failing contact, else see CTE_ARGUMENT_* */
-  uint64_t reserved[8];
+  /* what every call writes */
+  int64_t failed;                 /* contacts with a code other than 0 */
+  int32_t error_argument;         /* argument of the batch's fault, or of the first failing contact's */
+  int32_t error_index;            /* with CTE_CUT_BACK the first failing contact, else see CTE_ARGUMENT_* */
 } cte_batch;
+#define CTE_BATCH_INIT {(uint32_t)sizeof(cte_batch), 0u, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0, 1.0, \
+                        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
 
 /* ------------------------------------------------------------------ cte_projection: a global projection
  * verdict:
@@ -414,17 +421,17 @@ typedef struct cte_projection {
  * History, 5 entries per slave point: status, number of the facet from 1 (0: none), feature, two parameters; all 0 to
  * begin with. Of equally near facets that of the history is taken. CTE_CUT_BACK: error_index is the slave point. */
 typedef struct cte_patch {
-  uint32_t struct_size; /* sizeof(cte_patch) */
+  uint32_t struct_size;        /* sizeof(cte_patch): set by CTE_PATCH_INIT */
   int32_t slave_points;
   int32_t master_nodes;
   int32_t facets;
   const cte_element *facet;
+  const int32_t *connectivity; /* [facets][facet's master nodes]: master nodes, from 0 */
   const cte_element *edge;     /* null: no transition to edges */
   const cte_element *vertex;   /* null: no transition to vertices */
-  const int32_t *connectivity; /* [facets][facet's master nodes]: master nodes, from 0 */
   double reach;                /* nothing farther is looked for [length]; 0: no limit */
-  uint64_t reserved[8];
 } cte_patch;
+#define CTE_PATCH_INIT {(uint32_t)sizeof(cte_patch), 0, 0, 0, 0, 0, 0, 0, 0.0}
 
 /* ------------------------------------------------------------------ functions */
 
@@ -597,6 +604,7 @@ typedef struct cte_api_table {
   int32_t (*csr_blocks)(const cte_element *, int64_t, int32_t, const int32_t *, int64_t, const int64_t *,
                         const int32_t *, int64_t *);
 } cte_api_table;
+#define CTE_API_TABLE_INIT {(uint32_t)sizeof(cte_api_table), 0u, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
 
 /* Fills *table. major: CTE_VERSION_MAJOR of this header. CTE_ERROR_VERSION when the library's differs. */
 int32_t cte_api(uint32_t major, cte_api_table *table);

@@ -8,8 +8,7 @@ static int element(int32_t index)
 {
   const cte_element *e = cte_element_get(index);
   const char *name = NULL;
-  cte_info info = {0};
-  info.struct_size = sizeof info;
+  cte_info info = CTE_INFO_INIT;
   if (cte_element_info(e, 0, &info) != CTE_SUCCESS)
     return 1;
   printf("element %d %s:", (int)index, info.name);

@@ -42,8 +42,7 @@ static void lay_out(void)
 static void fresh(void)
 {
   lay_out();
-  memset(&batch, 0, sizeof batch);
-  batch.struct_size = sizeof batch;
+  batch = (cte_batch)CTE_BATCH_INIT;
   batch.request = CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY | CTE_OUTPUT | CTE_ENERGY;
   batch.parameter_count = b.info.parameters;
   batch.x = x;
@@ -131,8 +130,8 @@ static void null_pointers(void)
 
 static void struct_sizes(void)
 {
-  const uint32_t size[3] = {0, 8, sizeof batch - 1};
-  for (int i = 0; i < 3; i++) {
+  const uint32_t size[4] = {0, 8, sizeof batch - 1, 336}; /* the last: that of interface 0.1 */
+  for (int i = 0; i < 4; i++) {
     fresh();
     batch.struct_size = size[i];
     const cte_batch before = batch;

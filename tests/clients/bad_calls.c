@@ -35,14 +35,12 @@ static void lookup(void)
 
 static void description(void)
 {
-  cte_info info, before;
-  const uint32_t size[3] = {0, 8, sizeof info - 1};
+  cte_info info = CTE_INFO_INIT, before;
+  const uint32_t size[4] = {0, 8, sizeof info - 1, 152}; /* the last: that of interface 0.1 */
   const int32_t nnode[3] = {4, 6, -1};
-  memset(&info, 0, sizeof info);
   client_check(cte_element_info(b.element, 0, NULL) == CTE_ERROR_NULL, "info null");
-  info.struct_size = sizeof info;
   client_check(cte_element_info(NULL, 0, &info) == CTE_ERROR_NULL, "info of element null");
-  for (int i = 0; i < 3; i++) {
+  for (int i = 0; i < 4; i++) {
     info.struct_size = size[i];
     before = info;
     client_check(cte_element_info(b.element, 0, &info) == CTE_ERROR_STRUCT_SIZE &&
@@ -128,10 +126,9 @@ static void messages(void)
 
 static void table(void)
 {
-  cte_api_table api, before;
+  cte_api_table api = CTE_API_TABLE_INIT, before;
   const uint32_t size[3] = {0, 8, sizeof api - 1};
   const uint32_t major[3] = {0, CTE_VERSION_MAJOR + 1, UINT32_MAX};
-  memset(&api, 0, sizeof api);
   client_check(cte_api(CTE_VERSION_MAJOR, NULL) == CTE_ERROR_NULL, "table null");
   for (int i = 0; i < 3; i++) {
     api.struct_size = size[i];

@@ -131,7 +131,7 @@ static void in_a_batch(void)
   double untouched;
   cte_batch batch;
   accepted(&b, "PointQuad4Coulomb");
-  memset(&batch, 0, sizeof batch);
+  batch = (cte_batch)CTE_BATCH_INIT;
   memset(f, 0x5a, sizeof f);
   memcpy(&untouched, &f[1][0], sizeof untouched);
   for (int e = 0; e < 2; e++) {
@@ -139,7 +139,6 @@ static void in_a_batch(void)
     memcpy(history[e], b.history_accepted, sizeof history[e]);
   }
   history[1][PATH] = -1.0;
-  batch.struct_size = sizeof batch;
   batch.request = CTE_RESIDUAL;
   batch.parameter_count = b.info.parameters;
   batch.x = x[0];

@@ -1,7 +1,7 @@
 ! bad_friction.f90 - bad input to frictional elements and to cte_history_transfer; see bad_input.f90.
 module bad_friction
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-  use, intrinsic :: iso_c_binding, only: c_f_procpointer, c_loc, c_null_ptr, c_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_f_procpointer, c_loc, c_null_ptr, c_ptr
   use contact_elements
   use client_support
   implicit none
@@ -168,7 +168,6 @@ contains
     x = spread(b%x(:15), 2, 2)
     history = spread(b%history_accepted(:history_size), 2, 2)
     history(path_at, 2) = -1
-    batch%struct_size = int(c_sizeof(batch), i4)
     batch%request = CTE_RESIDUAL
     batch%parameter_count = b%info%parameters
     batch%x = c_loc(x)
@@ -267,7 +266,6 @@ contains
     real(dp) :: kept
     logical :: pass
     integer :: i
-    api%struct_size = int(c_sizeof(api), i4)
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS
     call c_f_procpointer(api%history_transfer, carry)
     call sound(facet, facet)

@@ -1,6 +1,6 @@
 ! bad_maps.f90 - bad input to both scatter maps, and patterns that only one of them takes; see bad_input.f90.
 module bad_maps
-  use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_funptr, c_loc, c_null_ptr, c_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_funptr, c_loc, c_null_ptr, c_ptr
   use contact_elements
   use client_support
   implicit none
@@ -209,7 +209,6 @@ contains
     type(cte_api_table) :: api
     type(c_funptr) :: functions(2)
     logical :: pass
-    api%struct_size = int(c_sizeof(api), i4)
     if (cte_api(CTE_VERSION_MAJOR, api) /= CTE_SUCCESS) then
       call client_check(.false., 'cte_api')
       return

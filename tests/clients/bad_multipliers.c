@@ -223,7 +223,7 @@ static int32_t status[2], code[2], connectivity[2][6];
 static cte_batch fresh(void)
 {
   cte_batch batch;
-  memset(&batch, 0, sizeof batch);
+  batch = (cte_batch)CTE_BATCH_INIT;
   memset(f, 0x5a, sizeof f);
   bench_open(&b, "PointQuad4Multiplier");
   for (int e = 0; e < 2; e++) {
@@ -233,7 +233,6 @@ static cte_batch fresh(void)
     for (int a = 0; a < 6; a++)
       connectivity[e][a] = 6 * e + a;
   }
-  batch.struct_size = sizeof batch;
   batch.request = CTE_RESIDUAL | CTE_TANGENT;
   batch.parameter_count = b.info.parameters;
   batch.x = &x[0][0][0];

@@ -1,7 +1,7 @@
 ! bad_multipliers.f90 - bad input to elements with multipliers and to cte_history_augment; see bad_input.f90.
 module bad_multipliers
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-  use, intrinsic :: iso_c_binding, only: c_f_procpointer, c_loc, c_null_ptr, c_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_f_procpointer, c_loc, c_null_ptr, c_ptr
   use contact_elements
   use client_support
   implicit none
@@ -93,7 +93,6 @@ contains
     real(dp) :: kept(room_history)
     logical :: pass
     integer :: i
-    api%struct_size = int(c_sizeof(api), i4)
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS
     call c_f_procpointer(api%history_augment, augment)
     call accepted(b, frictional)
@@ -272,7 +271,6 @@ contains
     u = spread(b%u(:18), 2, 2)
     code = untouched
     connectivity = reshape([(a, a=0, 11)], [6, 2])
-    batch%struct_size = int(c_sizeof(batch), i4)
     batch%request = CTE_RESIDUAL + CTE_TANGENT
     batch%parameter_count = b%info%parameters
     batch%x = c_loc(x)

@@ -26,8 +26,7 @@ static void lay_out(void)
 {
   static const double plain[UNKNOWNS] = {0.25, 0.25, -0.1, 1.5, 0.5, -0.1, 0.0, 0.0, 0.0,
                                          1.0,  0.0,  0.0,  1.0, 1.0, 0.0,  0.0, 1.0, 0.0};
-  memset(&patch, 0, sizeof patch);
-  patch.struct_size = sizeof patch;
+  patch = (cte_patch)CTE_PATCH_INIT;
   patch.slave_points = POINTS;
   patch.master_nodes = 4;
   patch.facets = 1;
@@ -43,8 +42,7 @@ static void lay_out(void)
   parameters[0] = 1000.0;
   parameters[1] = 0.0;
   parameters[2] = 1.0;
-  memset(&a, 0, sizeof a);
-  a.struct_size = sizeof a;
+  a = (cte_arguments)CTE_ARGUMENTS_INIT;
   a.request = CTE_RESIDUAL | CTE_TANGENT | CTE_OUTPUT | CTE_HISTORY | CTE_ENERGY;
   a.x = x;
   a.u = u;
@@ -115,6 +113,8 @@ static void counts(void)
 {
   patch.struct_size = 8;
   expect("patch: struct_size", CTE_ERROR_STRUCT_SIZE, CTE_ARGUMENT_PATCH, 0);
+  patch.struct_size = 120;
+  expect("patch: struct_size of interface 0.1", CTE_ERROR_STRUCT_SIZE, CTE_ARGUMENT_PATCH, 0);
   patch.slave_points = 0;
   expect("patch: no slave points", CTE_ERROR_NODE_COUNT, CTE_ARGUMENT_NSLAVE, 0);
   patch.master_nodes = -1;
@@ -188,6 +188,9 @@ static void info(void)
   sizes.struct_size = 8;
   client_check(cte_patch_info(&patch, &sizes, &argument) == CTE_ERROR_STRUCT_SIZE && argument == CTE_ARGUMENT_INFO,
                "patch: info's struct_size");
+  sizes.struct_size = 152;
+  client_check(cte_patch_info(&patch, &sizes, &argument) == CTE_ERROR_STRUCT_SIZE && argument == CTE_ARGUMENT_INFO,
+               "patch: info's struct_size of interface 0.1");
   patch.facets = 0;
   sizes.struct_size = sizeof sizes;
   client_check(cte_patch_info(&patch, &sizes, &argument) == CTE_ERROR_NODE_COUNT && argument == CTE_ARGUMENT_FACETS &&

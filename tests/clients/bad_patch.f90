@@ -1,7 +1,7 @@
 ! bad_patch.f90 - bad input to cte_patch_info and cte_patch_evaluate; see bad_input.f90.
 module bad_patch
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-  use, intrinsic :: iso_c_binding, only: c_f_procpointer, c_loc, c_null_ptr, c_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_f_procpointer, c_loc, c_null_ptr, c_ptr
   use contact_elements
   use client_support
   implicit none
@@ -46,7 +46,6 @@ contains
   subroutine lay_out()
     integer :: i
     patch = cte_patch()
-    patch%struct_size = int(c_sizeof(patch), i4)
     patch%slave_points = points
     patch%master_nodes = 4
     patch%facets = 1
@@ -60,7 +59,6 @@ contains
     history_accepted = 0
     parameters = [1000.0_dp, 0.0_dp, 1.0_dp]
     a = cte_arguments()
-    a%struct_size = int(c_sizeof(a), i4)
     a%request = CTE_RESIDUAL + CTE_TANGENT + CTE_OUTPUT + CTE_HISTORY + CTE_ENERGY
     a%x = c_loc(x)
     a%u = c_loc(u)
@@ -110,7 +108,6 @@ contains
     type(cte_api_table) :: api
     procedure(evaluate_call), pointer :: evaluate
     logical :: pass
-    api%struct_size = int(c_sizeof(api), i4)
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS
     call c_f_procpointer(api%patch_evaluate, evaluate)
     pass = evaluate(c_loc(patch), c_null_ptr) == null .and. pass
@@ -137,6 +134,8 @@ contains
   subroutine counts()
     patch%struct_size = 8
     call expect('patch: struct_size', CTE_ERROR_STRUCT_SIZE, CTE_ARGUMENT_PATCH, 0)
+    patch%struct_size = 120
+    call expect('patch: struct_size of interface 0.1', CTE_ERROR_STRUCT_SIZE, CTE_ARGUMENT_PATCH, 0)
     patch%slave_points = 0
     call expect('patch: no slave points', no_count, CTE_ARGUMENT_NSLAVE, 0)
     patch%master_nodes = -1
@@ -216,17 +215,18 @@ contains
     procedure(info_call), pointer :: patch_info
     integer(i4), target :: argument
     logical :: pass
-    api%struct_size = int(c_sizeof(api), i4)
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS
     call c_f_procpointer(api%patch_info, patch_info)
-    sizes%struct_size = int(c_sizeof(sizes), i4)
     pass = patch_info(c_loc(patch), c_null_ptr, c_loc(argument)) == null .and. pass
     call client_check(pass .and. argument == CTE_ARGUMENT_INFO, 'patch: info null')
     sizes%struct_size = 8
     pass = patch_info(c_loc(patch), c_loc(sizes), c_loc(argument)) == CTE_ERROR_STRUCT_SIZE
     call client_check(pass .and. argument == CTE_ARGUMENT_INFO, 'patch: info''s struct_size')
+    sizes%struct_size = 152
+    pass = patch_info(c_loc(patch), c_loc(sizes), c_loc(argument)) == CTE_ERROR_STRUCT_SIZE
+    call client_check(pass .and. argument == CTE_ARGUMENT_INFO, 'patch: info''s struct_size of interface 0.1')
+    sizes = cte_info()
     patch%facets = 0
-    sizes%struct_size = int(c_sizeof(sizes), i4)
     pass = patch_info(c_loc(patch), c_loc(sizes), c_loc(argument)) == no_count
     pass = pass .and. argument == CTE_ARGUMENT_FACETS
     pass = patch_info(c_null_ptr, c_loc(sizes), c_null_ptr) == null .and. pass

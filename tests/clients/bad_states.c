@@ -106,8 +106,7 @@ static void counts(void)
   const int32_t many[3] = {INT32_MAX, 1 << 30, ((1 << 30) - 1) / 3 - 3};
   cte_info info;
   for (int i = 0; i < 3; i++) {
-    memset(&info, 0, sizeof info);
-    info.struct_size = sizeof info;
+    info = (cte_info)CTE_INFO_INIT;
     if (!bench_open(&b, "InterpolatedQuad4"))
       return;
     client_check(cte_element_info(b.element, many[i] - (i == 0 ? 0 : -4), &info) == CTE_ERROR_NODE_COUNT,
@@ -196,14 +195,13 @@ static int32_t status[CONTACTS], code[CONTACTS];
 
 static void fresh(void)
 {
-  memset(&batch, 0, sizeof batch);
+  batch = (cte_batch)CTE_BATCH_INIT;
   for (int e = 0; e < CONTACTS; e++)
     memcpy(&x[e * N], b.x, N * sizeof x[0]);
   memset(f, 0x5a, sizeof f);
   memset(k, 0x5a, sizeof k);
   for (int e = 0; e < CONTACTS; e++)
     status[e] = code[e] = UNTOUCHED;
-  batch.struct_size = sizeof batch;
   batch.request = CTE_RESIDUAL | CTE_TANGENT;
   batch.parameter_count = b.info.parameters;
   batch.x = x;

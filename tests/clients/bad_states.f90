@@ -1,7 +1,7 @@
 ! bad_states.f90 - states without a normal or an area, sizes beyond any memory, batches with one bad contact;
 ! see bad_input.f90.
 module bad_states
-  use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_loc, c_null_ptr, c_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_loc, c_null_ptr, c_ptr
   use contact_elements
   use client_support
   implicit none
@@ -138,7 +138,6 @@ contains
     integer(i4) :: found
     integer :: i
     do i = 1, 3
-      info%struct_size = int(c_sizeof(info), i4)
       call bench_open(b, 'InterpolatedQuad4')
       found = cte_element_info(b%element, many(i) + merge(0, 4, i == 1), info)
       call client_check(found == CTE_ERROR_NODE_COUNT, client_text('info of too many nodes', int(many(i), i8)))
@@ -236,7 +235,6 @@ contains
     k = canary()
     status = untouched
     code = untouched
-    batch%struct_size = int(c_sizeof(batch), i4)
     batch%request = CTE_RESIDUAL + CTE_TANGENT
     batch%parameter_count = b%info%parameters
     batch%x = c_loc(x)
@@ -319,7 +317,6 @@ contains
   end subroutine batch_failures
 
   subroutine bad_states_run()
-    api%struct_size = int(c_sizeof(api), i4)
     if (cte_api(CTE_VERSION_MAJOR, api) /= CTE_SUCCESS) then
       call client_check(.false., 'cte_api')
       return

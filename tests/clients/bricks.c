@@ -94,7 +94,7 @@ static int contact_start(contact_set *contact)
   if (cte_element_find(name, (int32_t)strlen(name), &index) != CTE_SUCCESS)
     return 0;
   contact->element = cte_element_get(index);
-  contact->info.struct_size = sizeof contact->info;
+  contact->info = (cte_info)CTE_INFO_INIT;
   if (cte_element_info(contact->element, 0, &contact->info) != CTE_SUCCESS)
     return 0;
   if (contact->info.unknowns != CONTACT_UNKNOWNS || contact->info.history > HISTORY ||
@@ -120,12 +120,9 @@ static int contact_element(contact_set *contact, const model *m, int c, double p
     }
   memset(p, 0, sizeof(double) * NST);
   memset(s, 0, sizeof(double) * NST * NST);
-  cte_arguments a;
-  memset(&a, 0, sizeof a);
-  a.struct_size = sizeof a;
+  cte_arguments a = CTE_ARGUMENTS_INIT;
   a.request = CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY;
   a.nnode = CONTACT_NODES;
-  a.element_id = c;
   a.x = &xl[0][0];
   a.u = &ul[0][0];
   a.x_node_stride = NDM;

@@ -8,7 +8,7 @@
 !
 ! Reference: the same problem in six independent finite-element programs.
 module bricks_program
-  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_ptr, c_loc, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_ptr, c_loc
   use contact_elements
   use brick_model
   implicit none
@@ -96,7 +96,6 @@ contains
     pass = cte_element_find(name, len(name), index) == CTE_SUCCESS
     if (.not. pass) return
     contact%element = cte_element_get(index)
-    contact%info%struct_size = int(c_sizeof(contact%info), i4)
     pass = cte_element_info(contact%element, 0, contact%info) == CTE_SUCCESS
     if (.not. pass) return
     pass = contact%info%unknowns == contact_unknowns .and. contact%info%history <= history_room &
@@ -129,10 +128,8 @@ contains
     ul(:ndm, :contact_nodes) = m%u(:, contact_node(:, c))
     p = 0
     s = 0
-    a%struct_size = int(c_sizeof(a), i4)
     a%request = CTE_RESIDUAL + CTE_TANGENT + CTE_HISTORY
     a%nnode = contact_nodes
-    a%element_id = c
     a%x = c_loc(xl)
     a%u = c_loc(ul)
     a%x_node_stride = ndm

@@ -93,7 +93,7 @@ static int plain_parameters(bench *b)
 static void fill_arguments(bench *b, int32_t nslave)
 {
   cte_arguments *a = &b->a;
-  a->struct_size = sizeof *a;
+  *a = (cte_arguments)CTE_ARGUMENTS_INIT;
   a->request = b->info.requests & (CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY | CTE_OUTPUT | CTE_ENERGY);
   a->nslave = nslave;
   a->nnode = nslave > 0 ? nslave + b->info.nodes_minimum - 1 : 0;
@@ -116,7 +116,7 @@ int bench_index(bench *b, int32_t index, int32_t nslave)
 {
   memset(b, 0, sizeof *b);
   b->element = cte_element_get(index);
-  b->info.struct_size = sizeof b->info;
+  b->info = (cte_info)CTE_INFO_INIT;
   if (b->element == NULL || cte_element_info(b->element, 0, &b->info) != CTE_SUCCESS)
     return 0;
   if (b->info.slave_nodes != 0)

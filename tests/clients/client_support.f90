@@ -4,7 +4,7 @@
 ! complaint; a test changes one thing. client_support.c is the twin.
 module client_support
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int64_t, c_loc, &
-    c_null_char, c_null_ptr, c_ptr, c_sizeof
+    c_null_char, c_null_ptr, c_ptr
   use, intrinsic :: iso_fortran_env, only: output_unit
   use contact_elements
   implicit none
@@ -164,7 +164,6 @@ contains
   subroutine fill_arguments(b, nslave)
     type(bench), intent(inout), target :: b
     integer(i4), intent(in) :: nslave
-    b%a%struct_size = int(c_sizeof(b%a), i4)
     b%a%request = iand(b%info%requests, CTE_RESIDUAL + CTE_TANGENT + CTE_HISTORY + CTE_OUTPUT + CTE_ENERGY)
     b%a%nslave = nslave
     b%a%nnode = merge(nslave + b%info%nodes_minimum - 1, 0_i4, nslave > 0)
@@ -208,7 +207,6 @@ contains
     integer(i4) :: nslave
     call clear(b)
     b%element = cte_element_get(element_index)
-    b%info%struct_size = int(c_sizeof(b%info), i4)
     pass = c_associated(b%element)
     if (pass) pass = cte_element_info(b%element, 0, b%info) == CTE_SUCCESS
     if (.not. pass) return

@@ -178,9 +178,7 @@ static void entries(void)
 {
   static double trial[ROOM_HISTORY], fresh[ROOM_HISTORY], expected[ROOM_HISTORY], history[ROOM_HISTORY];
   int32_t index = -1, argument = -1, code = -1;
-  cte_api_table api;
-  memset(&api, 0, sizeof api);
-  api.struct_size = sizeof api;
+  cte_api_table api = CTE_API_TABLE_INIT;
   int pass = cte_api(CTE_VERSION_MAJOR, &api) == CTE_SUCCESS &&
              cte_element_find("Quad4Quad4CoulombAugmented", 26, &index) == CTE_SUCCESS && bench_index(&b, index, 0) &&
              b.info.points == 4 && b.info.history == 4 * HISTORY;

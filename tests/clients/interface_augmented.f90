@@ -3,7 +3,7 @@
 ! A point over the fixed square [-1,1]^2, held by a spring k in every direction and pressed by a load. In equilibrium
 ! the contact force is known: the spring does not move. A step of the iteration leaves k/(k + eps) of what is missing.
 module interface_augmented
-  use, intrinsic :: iso_c_binding, only: c_f_procpointer, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_f_procpointer
   use contact_elements
   use client_support
   implicit none
@@ -225,7 +225,6 @@ contains
     procedure(cte_history_augment), pointer :: history_augment
     integer(i4) :: e, argument, code
     logical :: pass
-    api%struct_size = int(c_sizeof(api), i4)
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS
     pass = cte_element_find('Quad4Quad4CoulombAugmented', 26, e) == CTE_SUCCESS .and. pass
     if (pass) pass = bench_index(b, e, 0_i4)

@@ -91,9 +91,8 @@ static void one_call(void)
 
 static void fresh(void)
 {
-  memset(&batch, 0, sizeof batch);
+  batch = (cte_batch)CTE_BATCH_INIT;
   memset(&many, 0x5a, sizeof many);
-  batch.struct_size = sizeof batch;
   batch.request = REQUEST;
   batch.parameter_count = b.info.parameters;
   batch.x = &x[0][0];
@@ -217,6 +216,16 @@ static void spaced(void)
     pass &= client_same(&f[e][N + 1], &canary, 1) && client_same(&k[e][N * N + 2], &canary, 1);
   }
   client_check(pass, "batch: output strides, f_scale -1, k_scale -1/2");
+  batch.f_scale = 0.0;
+  batch.k_scale = 0.0;
+  pass = evaluated();
+  for (int e = 0; e < CONTACTS; e++) {
+    for (int i = 0; i < N; i++)
+      pass &= f[e][i] == 0.0;
+    for (int i = 0; i < N * N; i++)
+      pass &= k[e][i] == 0.0;
+  }
+  client_check(pass, "batch: scales of 0 give zeros");
 }
 
 /* Pattern of all contacts: [rows][...] sorted. */

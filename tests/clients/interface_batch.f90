@@ -2,7 +2,7 @@
 !
 ! A strip of facets with one slave point above each; some are closed, some open, one is outside.
 module interface_batch
-  use, intrinsic :: iso_c_binding, only: c_associated, c_loc, c_null_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_associated, c_loc, c_null_ptr
   use contact_elements
   use client_support
   implicit none
@@ -98,7 +98,6 @@ contains
     many%energy = canary()
     many%status = -77
     many%code = -77
-    batch%struct_size = int(c_sizeof(batch), i4)
     batch%request = request
     batch%parameter_count = b%info%parameters
     batch%x = c_loc(x)
@@ -222,6 +221,10 @@ contains
     pass = pass .and. client_same(f(n + 2, :), spread(canary(), 1, contacts)) &
       .and. client_same(k(n*n + 3, :), spread(canary(), 1, contacts))
     call client_check(pass, 'batch: output strides, f_scale -1, k_scale -1/2')
+    batch%f_scale = 0
+    batch%k_scale = 0
+    pass = evaluated()
+    call client_check(pass .and. all(abs(f(:n, :)) <= 0) .and. all(abs(k(:n*n, :)) <= 0), 'batch: scales of 0 give zeros')
   end subroutine spaced
 
   ! Pattern of all contacts: [rows][...] sorted; rows, columns and positions from 0.

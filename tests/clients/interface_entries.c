@@ -22,9 +22,7 @@ static int described(const cte_api_table *api, int32_t index)
   const char *name = NULL, *own = NULL;
   int32_t found = -1, node[2] = {-1, -2}, kind[2] = {-1, -2}, bad = -1;
   double history[ROOM_HISTORY];
-  cte_info info;
-  memset(&info, 0, sizeof info);
-  info.struct_size = sizeof info;
+  cte_info info = CTE_INFO_INIT;
   int pass = api->element_count() == cte_element_count() && api->element_get(index) == b.element &&
              api->element_find("PointQuad4", 10, &found) == CTE_SUCCESS && found == index &&
              api->element_info(b.element, 0, &info) == CTE_SUCCESS && memcmp(&info, &b.info, sizeof info) == 0;
@@ -43,8 +41,7 @@ static void table(int32_t index)
 {
   cte_api_table api;
   char text[2][128];
-  memset(&api, 0, sizeof api);
-  api.struct_size = sizeof api;
+  api = (cte_api_table)CTE_API_TABLE_INIT;
   if (!client_check(cte_api(CTE_VERSION_MAJOR, &api) == CTE_SUCCESS && api.version == cte_abi_version() &&
                         api.struct_size == sizeof api,
                     "cte_api"))

@@ -61,7 +61,6 @@ contains
     call c_f_procpointer(api%element_find, element_find)
     call c_f_procpointer(api%element_info, element_info)
     found = -1
-    info%struct_size = int(c_sizeof(info), i4)
     pass = element_count() == cte_element_count()
     pass = c_associated(element_get(element_index), b%element) .and. pass
     pass = element_find('PointQuad4', 10, found) == CTE_SUCCESS .and. pass
@@ -136,7 +135,6 @@ contains
     procedure(threads_call), pointer :: element_evaluate_batch_threads
     procedure(map_call), pointer :: csr_map, csr_blocks
     logical :: pass
-    api%struct_size = int(c_sizeof(api), i4)
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS
     pass = pass .and. api%version == cte_abi_version() .and. api%struct_size == c_sizeof(api)
     call client_check(pass, 'cte_api')

@@ -119,11 +119,9 @@ static void inputs(void)
   client_check(evaluated() && same_as_reference(), "u null is zero");
   b.a.u_old = b.u;
   b.a.v = b.u;
-  b.a.element_id = 77;
-  b.a.step = b.a.increment = b.a.iteration = 7;
-  b.a.t = b.a.dt = 0.7;
+  b.a.dt = 0.7;
   b.a.nnode = 5;
-  client_check(evaluated() && same_as_reference(), "arguments that are not used");
+  client_check(evaluated() && same_as_reference(), "arguments that are not read yet");
   b.a.history_accepted = NULL;
   client_check(evaluated() && same_as_reference(), "history_accepted null starts at the centre");
   bench_open(&b, "PointQuad4");
@@ -148,7 +146,15 @@ static void scales(void)
   client_check(pass, "f_scale -1, k_scale -1/2");
   b.a.f_scale = 1.0;
   b.a.k_scale = 1.0;
-  client_check(evaluated() && same_as_reference(), "scales of 1 are the default");
+  client_check(evaluated() && same_as_reference(), "scales of 1 are those of CTE_ARGUMENTS_INIT");
+  b.a.f_scale = 0.0;
+  b.a.k_scale = 0.0;
+  pass = evaluated();
+  for (int i = 0; i < N; i++)
+    pass &= b.out.f[i] == 0.0;
+  for (int i = 0; i < N * N; i++)
+    pass &= b.out.k[i] == 0.0;
+  client_check(pass, "scales of 0 give zeros");
   bench_open(&b, "PointQuad4");
   b.a.request |= CTE_SYMMETRISE;
   pass = evaluated() && client_same(b.out.f, reference.out.f, N);

@@ -34,51 +34,48 @@ static void layout_info(void)
       FIELD(cte_info, unknowns, 24), FIELD(cte_info, parameters, 28), FIELD(cte_info, history, 32),
       FIELD(cte_info, points, 36), FIELD(cte_info, projected, 40), FIELD(cte_info, requests, 44),
       FIELD(cte_info, symmetric, 48), FIELD(cte_info, operations, 52), FIELD(cte_info, workspace, 56),
-      FIELD(cte_info, formulation, 64), FIELD(cte_info, name, 72), FIELD(cte_info, documentation, 80),
-      FIELD(cte_info, reserved, 88)};
-  layout("layout of cte_info, bytes:", sizeof(cte_info), 152, fields, sizeof fields / sizeof fields[0]);
+      FIELD(cte_info, formulation, 64), FIELD(cte_info, name, 72), FIELD(cte_info, documentation, 80)};
+  layout("layout of cte_info, bytes:", sizeof(cte_info), 88, fields, sizeof fields / sizeof fields[0]);
 }
 
 static void layout_arguments(void)
 {
   static const field fields[] = {
       FIELD(cte_arguments, struct_size, 0), FIELD(cte_arguments, request, 4), FIELD(cte_arguments, nnode, 8),
-      FIELD(cte_arguments, nslave, 12), FIELD(cte_arguments, element_id, 16), FIELD(cte_arguments, step, 24),
-      FIELD(cte_arguments, increment, 28), FIELD(cte_arguments, iteration, 32),
-      FIELD(cte_arguments, parameter_count, 36), FIELD(cte_arguments, t, 40), FIELD(cte_arguments, dt, 48),
-      FIELD(cte_arguments, x, 56), FIELD(cte_arguments, u, 64), FIELD(cte_arguments, u_old, 72),
-      FIELD(cte_arguments, v, 80), FIELD(cte_arguments, x_node_stride, 88),
-      FIELD(cte_arguments, u_node_stride, 96), FIELD(cte_arguments, parameters, 104),
-      FIELD(cte_arguments, history_accepted, 112), FIELD(cte_arguments, history_trial, 120),
-      FIELD(cte_arguments, slave_row, 128), FIELD(cte_arguments, f, 136), FIELD(cte_arguments, k, 144),
-      FIELD(cte_arguments, k_row_stride, 152), FIELD(cte_arguments, k_col_stride, 160),
-      FIELD(cte_arguments, unknown_map, 168), FIELD(cte_arguments, f_scale, 176),
-      FIELD(cte_arguments, k_scale, 184), FIELD(cte_arguments, output, 192), FIELD(cte_arguments, energy, 200),
-      FIELD(cte_arguments, workspace, 208), FIELD(cte_arguments, workspace_size, 216),
-      FIELD(cte_arguments, dt_ratio, 224), FIELD(cte_arguments, status, 232),
-      FIELD(cte_arguments, closed_points, 236), FIELD(cte_arguments, error_argument, 240),
-      FIELD(cte_arguments, error_index, 244), FIELD(cte_arguments, reserved, 248)};
-  layout("layout of cte_arguments, bytes:", sizeof(cte_arguments), 312, fields, sizeof fields / sizeof fields[0]);
+      FIELD(cte_arguments, parameter_count, 12), FIELD(cte_arguments, x, 16), FIELD(cte_arguments, u, 24),
+      FIELD(cte_arguments, parameters, 32), FIELD(cte_arguments, history_accepted, 40),
+      FIELD(cte_arguments, history_trial, 48), FIELD(cte_arguments, f, 56), FIELD(cte_arguments, k, 64),
+      FIELD(cte_arguments, output, 72), FIELD(cte_arguments, energy, 80), FIELD(cte_arguments, f_scale, 88),
+      FIELD(cte_arguments, k_scale, 96), FIELD(cte_arguments, k_row_stride, 104),
+      FIELD(cte_arguments, k_col_stride, 112), FIELD(cte_arguments, unknown_map, 120),
+      FIELD(cte_arguments, x_node_stride, 128), FIELD(cte_arguments, u_node_stride, 136),
+      FIELD(cte_arguments, slave_row, 144), FIELD(cte_arguments, workspace, 152),
+      FIELD(cte_arguments, workspace_size, 160), FIELD(cte_arguments, nslave, 168),
+      FIELD(cte_arguments, padding, 172), FIELD(cte_arguments, u_old, 176), FIELD(cte_arguments, v, 184),
+      FIELD(cte_arguments, dt, 192), FIELD(cte_arguments, dt_ratio, 200), FIELD(cte_arguments, status, 208),
+      FIELD(cte_arguments, closed_points, 212), FIELD(cte_arguments, error_argument, 216),
+      FIELD(cte_arguments, error_index, 220)};
+  layout("layout of cte_arguments, bytes:", sizeof(cte_arguments), 224, fields, sizeof fields / sizeof fields[0]);
 }
 
 static void layout_batch(void)
 {
   static const field fields[] = {
-      FIELD(cte_batch, struct_size, 0), FIELD(cte_batch, request, 4), FIELD(cte_batch, nslave, 8),
-      FIELD(cte_batch, parameter_count, 12), FIELD(cte_batch, x, 16), FIELD(cte_batch, u, 24),
-      FIELD(cte_batch, x_element_stride, 32), FIELD(cte_batch, x_node_stride, 40),
-      FIELD(cte_batch, x_component_stride, 48), FIELD(cte_batch, u_element_stride, 56),
-      FIELD(cte_batch, u_node_stride, 64), FIELD(cte_batch, u_component_stride, 72),
-      FIELD(cte_batch, connectivity, 80), FIELD(cte_batch, global_nodes, 88), FIELD(cte_batch, parameters, 96),
-      FIELD(cte_batch, parameter_element_stride, 104), FIELD(cte_batch, history_accepted, 112),
-      FIELD(cte_batch, history_trial, 120), FIELD(cte_batch, slave_row, 128), FIELD(cte_batch, f, 136),
-      FIELD(cte_batch, k, 144), FIELD(cte_batch, f_element_stride, 152), FIELD(cte_batch, k_element_stride, 160),
-      FIELD(cte_batch, global_f, 168), FIELD(cte_batch, csr_values, 176), FIELD(cte_batch, csr_map, 184),
-      FIELD(cte_batch, f_scale, 192), FIELD(cte_batch, k_scale, 200), FIELD(cte_batch, output, 208),
-      FIELD(cte_batch, energy, 216), FIELD(cte_batch, status, 224), FIELD(cte_batch, code, 232),
-      FIELD(cte_batch, workspace, 240), FIELD(cte_batch, workspace_size, 248), FIELD(cte_batch, failed, 256),
-      FIELD(cte_batch, error_argument, 264), FIELD(cte_batch, error_index, 268), FIELD(cte_batch, reserved, 272)};
-  layout("layout of cte_batch, bytes:", sizeof(cte_batch), 336, fields, sizeof fields / sizeof fields[0]);
+      FIELD(cte_batch, struct_size, 0), FIELD(cte_batch, request, 4), FIELD(cte_batch, parameter_count, 8),
+      FIELD(cte_batch, nslave, 12), FIELD(cte_batch, x, 16), FIELD(cte_batch, u, 24),
+      FIELD(cte_batch, parameters, 32), FIELD(cte_batch, history_accepted, 40),
+      FIELD(cte_batch, history_trial, 48), FIELD(cte_batch, status, 56), FIELD(cte_batch, code, 64),
+      FIELD(cte_batch, connectivity, 72), FIELD(cte_batch, global_nodes, 80), FIELD(cte_batch, global_f, 88),
+      FIELD(cte_batch, csr_values, 96), FIELD(cte_batch, csr_map, 104), FIELD(cte_batch, f, 112),
+      FIELD(cte_batch, k, 120), FIELD(cte_batch, output, 128), FIELD(cte_batch, energy, 136),
+      FIELD(cte_batch, f_scale, 144), FIELD(cte_batch, k_scale, 152), FIELD(cte_batch, x_element_stride, 160),
+      FIELD(cte_batch, x_node_stride, 168), FIELD(cte_batch, x_component_stride, 176),
+      FIELD(cte_batch, u_element_stride, 184), FIELD(cte_batch, u_node_stride, 192),
+      FIELD(cte_batch, u_component_stride, 200), FIELD(cte_batch, parameter_element_stride, 208),
+      FIELD(cte_batch, f_element_stride, 216), FIELD(cte_batch, k_element_stride, 224),
+      FIELD(cte_batch, slave_row, 232), FIELD(cte_batch, workspace, 240), FIELD(cte_batch, workspace_size, 248),
+      FIELD(cte_batch, failed, 256), FIELD(cte_batch, error_argument, 264), FIELD(cte_batch, error_index, 268)};
+  layout("layout of cte_batch, bytes:", sizeof(cte_batch), 272, fields, sizeof fields / sizeof fields[0]);
 }
 
 static void layout_projection(void)
@@ -94,10 +91,9 @@ static void layout_patch(void)
 {
   static const field fields[] = {
       FIELD(cte_patch, struct_size, 0), FIELD(cte_patch, slave_points, 4), FIELD(cte_patch, master_nodes, 8),
-      FIELD(cte_patch, facets, 12), FIELD(cte_patch, facet, 16), FIELD(cte_patch, edge, 24),
-      FIELD(cte_patch, vertex, 32), FIELD(cte_patch, connectivity, 40), FIELD(cte_patch, reach, 48),
-      FIELD(cte_patch, reserved, 56)};
-  layout("layout of cte_patch, bytes:", sizeof(cte_patch), 120, fields, sizeof fields / sizeof fields[0]);
+      FIELD(cte_patch, facets, 12), FIELD(cte_patch, facet, 16), FIELD(cte_patch, connectivity, 24),
+      FIELD(cte_patch, edge, 32), FIELD(cte_patch, vertex, 40), FIELD(cte_patch, reach, 48)};
+  layout("layout of cte_patch, bytes:", sizeof(cte_patch), 56, fields, sizeof fields / sizeof fields[0]);
 }
 
 static void layout_api_table(void)

@@ -84,9 +84,8 @@ static int single_calls(void)
 
 static void fresh(void)
 {
-  memset(&batch, 0, sizeof batch);
+  batch = (cte_batch)CTE_BATCH_INIT;
   memset(&many, 0x5a, sizeof many);
-  batch.struct_size = sizeof batch;
   batch.request = b.a.request;
   batch.parameter_count = b.info.parameters;
   batch.x = &x[0][0];

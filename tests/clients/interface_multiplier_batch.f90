@@ -3,7 +3,7 @@
 ! A strip of facets with one slave above each, and a node for the multiplier of each, of which the host's system has
 ! one row: the other two are in no pattern.
 module interface_multiplier_batch
-  use, intrinsic :: iso_c_binding, only: c_associated, c_loc, c_null_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_associated, c_loc, c_null_ptr
   use contact_elements
   use client_support
   implicit none
@@ -102,7 +102,6 @@ contains
     many%energy = canary()
     many%status = -77
     many%code = -77
-    batch%struct_size = int(c_sizeof(batch), i4)
     batch%request = b%a%request
     batch%parameter_count = b%info%parameters
     batch%x = c_loc(x)

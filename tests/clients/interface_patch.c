@@ -34,8 +34,7 @@ static const cte_element *named(const char *name)
 
 static void lay_out(void)
 {
-  memset(&patch, 0, sizeof patch);
-  patch.struct_size = sizeof patch;
+  patch = (cte_patch)CTE_PATCH_INIT;
   patch.slave_points = POINTS;
   patch.master_nodes = MASTERS;
   patch.facets = 3;
@@ -48,8 +47,7 @@ static void lay_out(void)
   parameters[0] = 1000.0; /* eps_n */
   parameters[1] = 0.0;    /* r0 */
   parameters[2] = 1.0;    /* orientation */
-  memset(&a, 0, sizeof a);
-  a.struct_size = sizeof a;
+  a = (cte_arguments)CTE_ARGUMENTS_INIT;
   a.request = CTE_RESIDUAL | CTE_TANGENT | CTE_OUTPUT | CTE_HISTORY | CTE_ENERGY;
   a.x = x;
   a.parameters = parameters;
@@ -67,8 +65,7 @@ static void sizes(void)
 {
   cte_info info;
   int32_t argument = -1;
-  memset(&info, 0, sizeof info);
-  info.struct_size = sizeof info;
+  info = (cte_info)CTE_INFO_INIT;
   const int pass = cte_patch_info(&patch, &info, &argument) == CTE_SUCCESS && argument == CTE_ARGUMENT_NONE;
   client_check(pass && info.dimension == 3 && info.unknowns == UNKNOWNS && info.points == POINTS &&
                    info.parameters == 3 && info.history == POINTS * HISTORY && info.workspace <= 64 &&

@@ -3,7 +3,7 @@
 ! The body surrounds the corner: the floor z = 0 and the walls x = 0 and y = 0 have their normals towards +z, +x and +y,
 ! the free space is x, y, z > 0. A point inside the body beyond an edge or the vertex is as deep as it is far from it.
 module interface_patch
-  use, intrinsic :: iso_c_binding, only: c_loc, c_null_ptr, c_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_loc, c_null_ptr, c_ptr
   use contact_elements
   use client_support
   implicit none
@@ -38,7 +38,6 @@ contains
 
   subroutine lay_out()
     patch = cte_patch()
-    patch%struct_size = int(c_sizeof(patch), i4)
     patch%slave_points = points
     patch%master_nodes = masters
     patch%facets = 3
@@ -49,7 +48,6 @@ contains
     x = [slave_points, master_nodes]
     parameters = [1000.0_dp, 0.0_dp, 1.0_dp] ! eps_n, r0, orientation
     a = cte_arguments()
-    a%struct_size = int(c_sizeof(a), i4)
     a%request = CTE_RESIDUAL + CTE_TANGENT + CTE_OUTPUT + CTE_HISTORY + CTE_ENERGY
     a%x = c_loc(x)
     a%parameters = c_loc(parameters)
@@ -72,7 +70,6 @@ contains
     type(cte_info) :: info
     integer(i4) :: argument
     logical :: pass
-    info%struct_size = int(c_sizeof(info), i4)
     pass = cte_patch_info(patch, info, argument) == CTE_SUCCESS
     pass = pass .and. argument == CTE_ARGUMENT_NONE
     pass = pass .and. info%dimension == 3 .and. info%unknowns == n .and. info%points == points &

@@ -184,9 +184,7 @@ static void multiplier(void)
 static void layouts(void)
 {
   static double x[25], u[20];
-  cte_api_table api;
-  memset(&api, 0, sizeof api);
-  api.struct_size = sizeof api;
+  cte_api_table api = CTE_API_TABLE_INIT;
   bench_open(&b, "PointQuad4");
   for (int i = 0; i < 15; i++)
     b.u[i] = 0.01 * i;

@@ -3,7 +3,7 @@
 ! Mostly over the unit square, whose parameters are 2 x - 1 and 2 y - 1: closest points are written down by hand. The
 ! trough z = x^2 over [-1,1]^2 has two feet for a point above its middle.
 module interface_project
-  use, intrinsic :: iso_c_binding, only: c_f_procpointer, c_loc, c_null_ptr, c_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_f_procpointer, c_loc, c_null_ptr, c_ptr
   use contact_elements
   use client_support
   implicit none
@@ -224,7 +224,6 @@ contains
     b%u(:15) = [(0.01_dp*i, i=0, 14)]
     pass = projected(0.0_dp, c_null_ptr)
     dense = found(1)
-    api%struct_size = int(c_sizeof(api), i4)
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS .and. pass
     call c_f_procpointer(api%element_project, element_project)
     found(1)%distance = canary()

@@ -166,9 +166,7 @@ static void entries(void)
 {
   double fresh[HISTORY], expected[HISTORY];
   int32_t index = -1, argument = -1, code = -1;
-  cte_api_table api;
-  memset(&api, 0, sizeof api);
-  api.struct_size = sizeof api;
+  cte_api_table api = CTE_API_TABLE_INIT;
   cte_element_find("PointQuad4Coulomb", 17, &index);
   int pass = cte_api(CTE_VERSION_MAJOR, &api) == CTE_SUCCESS && slid(0.12, 0.05) && neighbour(0.3);
   memcpy(fresh, b.out.history_trial, sizeof fresh);

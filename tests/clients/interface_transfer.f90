@@ -3,7 +3,7 @@
 ! Facet A is the square [-1,1]^2. Facet B joins it at x = 1, coplanar or turned about that edge; its nodes are
 ! counted from another corner and it is a parallelogram, so nothing but the slip in space is common to both.
 module interface_transfer
-  use, intrinsic :: iso_c_binding, only: c_f_procpointer, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_f_procpointer
   use contact_elements
   use client_support
   implicit none
@@ -175,7 +175,6 @@ contains
     type(cte_api_table) :: api
     procedure(cte_history_transfer), pointer :: history_transfer
     logical :: pass
-    api%struct_size = int(c_sizeof(api), i4)
     pass = cte_element_find('PointQuad4Coulomb', 17, element_index) == CTE_SUCCESS
     pass = cte_api(CTE_VERSION_MAJOR, api) == CTE_SUCCESS .and. pass
     pass = slid(0.12_dp, 0.05_dp) .and. pass

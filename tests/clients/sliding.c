@@ -70,9 +70,7 @@ typedef struct record {
 static const cte_element *element_of(const char *name)
 {
   int32_t index = -1;
-  cte_info info;
-  memset(&info, 0, sizeof info);
-  info.struct_size = sizeof info;
+  cte_info info = CTE_INFO_INIT;
   if (cte_element_find(name, (int32_t)strlen(name), &index) != CTE_SUCCESS)
     return NULL;
   const cte_element *element = cte_element_get(index);
@@ -114,9 +112,7 @@ static int contact_element(contact_set *contact, const model *m, int c, int elas
   elastic = elastic && history[CTE_HISTORY_STATUS] != CTE_STATUS_OPEN;
   if (elastic)
     history[CTE_HISTORY_STATUS] = CTE_STATUS_STICK;
-  cte_arguments a;
-  memset(&a, 0, sizeof a);
-  a.struct_size = sizeof a;
+  cte_arguments a = CTE_ARGUMENTS_INIT;
   a.request = CTE_RESIDUAL | CTE_TANGENT | CTE_HISTORY | CTE_OUTPUT | (elastic ? CTE_FREEZE_STATE : 0u) |
               (contact->variant == SYMMETRISED ? CTE_SYMMETRISE : 0u);
   a.x = x;

@@ -6,7 +6,7 @@
 ! exact one made symmetric. Printed are the residual norms, iterations and orders of convergence.
 ! sliding.c is the twin.
 module sliding_program
-  use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_loc, c_null_ptr, c_ptr, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_loc, c_null_ptr, c_ptr
   use contact_elements
   use brick_model
   implicit none
@@ -66,7 +66,6 @@ contains
     type(cte_info) :: info
     integer(i4) :: index
     element = c_null_ptr
-    info%struct_size = int(c_sizeof(info), i4)
     if (cte_element_find(name, len(name), index) /= CTE_SUCCESS) return
     if (cte_element_info(cte_element_get(index), 0, info) /= CTE_SUCCESS) return
     if (info%unknowns == n .and. info%history == history_size .and. info%parameters == parameter_count &
@@ -113,7 +112,6 @@ contains
       freeze = CTE_FREEZE_STATE
       history(CTE_HISTORY_STATUS) = CTE_STATUS_STICK
     end if
-    a%struct_size = int(c_sizeof(a), i4)
     a%request = CTE_RESIDUAL + CTE_TANGENT + CTE_HISTORY + CTE_OUTPUT + freeze
     if (contact%variant == symmetrised) a%request = a%request + CTE_SYMMETRISE
     a%x = c_loc(x)

@@ -53,14 +53,14 @@ static contact *open(int32_t index, const char *name, int32_t (*evaluate)(cte_ar
   c->name = name;
   c->evaluate = evaluate;
   c->element = rail_element_get(index);
-  c->info.struct_size = sizeof c->info;
+  c->info = (cte_info)CTE_INFO_INIT;
   check(rail_element_find(name, (int32_t)strlen(name), &found) == CTE_SUCCESS && found == index, c, "found");
   check(rail_element_info(c->element, nslave, &c->info) == CTE_SUCCESS && c->info.unknowns <= UNKNOWNS &&
             c->info.parameters <= PARAMETERS && c->info.points <= POINTS && c->info.history <= HISTORY &&
             c->info.workspace <= (int64_t)(sizeof c->workspace / sizeof *c->workspace),
         c, "described");
   check(rail_element_history_init(c->element, c->history) == CTE_SUCCESS, c, "history");
-  a->struct_size = sizeof *a;
+  *a = (cte_arguments)CTE_ARGUMENTS_INIT;
   a->nslave = nslave;
   a->nnode = nslave;
   a->parameter_count = c->info.parameters;

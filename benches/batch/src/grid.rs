@@ -184,9 +184,7 @@ impl Grid {
         room.f.resize(own * UNKNOWNS, 0.0);
         room.k.resize(own * MATRIX, 0.0);
         room.status.resize(self.count, 0);
-        // SAFETY: null pointers and zeros are defaults.
-        let mut batch: Batch = unsafe { std::mem::zeroed() };
-        batch.struct_size = size_of::<Batch>() as u32;
+        let mut batch = Batch::EMPTY;
         batch.request = request::RESIDUAL;
         if !matches!(into, Into::Vector) {
             batch.request |= request::TANGENT;

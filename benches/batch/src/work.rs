@@ -69,9 +69,7 @@ impl Workspace {
     }
 
     pub fn one_by_one(&mut self, states: &States, work: Work) {
-        // SAFETY: null pointers and zeros are defaults.
-        let mut call: Arguments = unsafe { std::mem::zeroed() };
-        call.struct_size = size_of::<Arguments>() as u32;
+        let mut call = Arguments::EMPTY;
         call.request = work.request;
         call.parameters = PARAMETERS.as_ptr();
         call.parameter_count = 3;
@@ -91,9 +89,7 @@ impl Workspace {
     }
 
     pub fn batches(&mut self, states: &States, work: Work, width: Width) {
-        // SAFETY: null pointers and zeros are defaults.
-        let mut batch: Batch = unsafe { std::mem::zeroed() };
-        batch.struct_size = size_of::<Batch>() as u32;
+        let mut batch = Batch::EMPTY;
         batch.request = work.request;
         batch.parameters = PARAMETERS.as_ptr();
         batch.parameter_count = 3;

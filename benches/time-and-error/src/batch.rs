@@ -50,9 +50,7 @@ impl Arrays {
     }
 
     fn evaluate(&mut self, wanted: Request) -> i32 {
-        // SAFETY: null pointers and zeros are values of every field.
-        let mut batch: Batch = unsafe { std::mem::zeroed() };
-        batch.struct_size = size_of::<Batch>() as u32;
+        let mut batch = Batch::EMPTY;
         batch.request = request::RESIDUAL | wanted.bits;
         if wanted.tangent {
             batch.request |= request::TANGENT;

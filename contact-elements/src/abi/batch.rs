@@ -67,7 +67,7 @@ pub(super) unsafe fn guarded(
         return code::NULL;
     }
     // SAFETY: every struct begins with its size.
-    if !unsafe { is_whole::<Batch>(batch.cast()) } {
+    if !unsafe { is_whole(batch) } {
         return code::STRUCT_SIZE;
     }
     // SAFETY: the caller's struct is at least as large as ours.

@@ -1,7 +1,7 @@
 //! What elements there are and what each needs.
 
 use super::sizes::nodes_of_call;
-use super::types::{ApiTable, Info};
+use super::types::{ApiTable, Info, is_whole};
 use super::{Descriptor, VERSION, code, kind};
 use crate::runtime::Status;
 
@@ -63,8 +63,7 @@ pub unsafe fn element_info(element: *const Descriptor, nnode: i32, info: *mut In
         return code::NULL;
     };
     // SAFETY: every struct begins with its size.
-    let size = unsafe { (*info).struct_size };
-    if (size as usize) < size_of::<Info>() {
+    if !unsafe { is_whole(info) } {
         return code::STRUCT_SIZE;
     }
     let Some(n) = nodes_of_call(element, nnode) else {
@@ -74,7 +73,7 @@ pub unsafe fn element_info(element: *const Descriptor, nnode: i32, info: *mut In
     // SAFETY: the caller's struct is at least as large as ours.
     unsafe {
         *info = Info {
-            struct_size: size,
+            struct_size: (*info).struct_size,
             dimension: element.dimension as i32,
             nodes_minimum: smallest,
             nodes_maximum: if element.interpolated { 0 } else { smallest },
@@ -92,7 +91,6 @@ pub unsafe fn element_info(element: *const Descriptor, nnode: i32, info: *mut In
             formulation: element.formulation,
             name: element.name.as_ptr(),
             documentation: element.documentation.as_ptr(),
-            reserved: [0; 8],
         };
     }
     code::SUCCESS

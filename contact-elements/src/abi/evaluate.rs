@@ -19,7 +19,7 @@ pub unsafe fn element_evaluate(element: *const Descriptor, arguments: *mut Argum
         return code::NULL;
     }
     // SAFETY: every struct begins with its size.
-    if !unsafe { is_whole::<Arguments>(arguments.cast()) } {
+    if !unsafe { is_whole(arguments) } {
         return code::STRUCT_SIZE;
     }
     // SAFETY: the caller's struct is at least as large as ours.
@@ -292,12 +292,13 @@ pub(super) unsafe fn workspace<'a>(
     }
 }
 
-/// A scale factor: 0 stands for 1.
+/// A scale factor that is a number.
 pub(super) fn scale(value: f64) -> Result<f64, Fault> {
-    if !crate::runtime::is_usable(value) {
-        return Err((code::NOT_FINITE, argument::SCALE, 0));
+    if crate::runtime::is_usable(value) {
+        Ok(value)
+    } else {
+        Err((code::NOT_FINITE, argument::SCALE, 0))
     }
-    Ok(if value == 0.0 { 1.0 } else { value })
 }
 
 /// Where the outputs go.

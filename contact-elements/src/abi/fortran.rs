@@ -59,7 +59,7 @@ pub unsafe fn evaluate(
         }
         let mut scratch = [0.0; SCRATCH];
         let needs_scratch = (*element).interpolated;
-        let mut arguments = blank();
+        let mut arguments = Arguments::EMPTY;
         arguments.request = integer(request) as u32;
         arguments.nnode = integer(nnode);
         arguments.nslave = integer(nslave);
@@ -78,50 +78,6 @@ pub unsafe fn evaluate(
     }
 }
 
-/// Arguments with nothing in them.
-pub(super) fn blank() -> Arguments {
-    Arguments {
-        struct_size: size_of::<Arguments>() as u32,
-        request: 0,
-        nnode: 0,
-        nslave: 0,
-        element_id: 0,
-        step: 0,
-        increment: 0,
-        iteration: 0,
-        parameter_count: 0,
-        t: 0.0,
-        dt: 0.0,
-        x: core::ptr::null(),
-        u: core::ptr::null(),
-        u_old: core::ptr::null(),
-        v: core::ptr::null(),
-        x_node_stride: 0,
-        u_node_stride: 0,
-        parameters: core::ptr::null(),
-        history_accepted: core::ptr::null(),
-        history_trial: core::ptr::null_mut(),
-        slave_row: core::ptr::null(),
-        f: core::ptr::null_mut(),
-        k: core::ptr::null_mut(),
-        k_row_stride: 0,
-        k_col_stride: 0,
-        unknown_map: core::ptr::null(),
-        f_scale: 0.0,
-        k_scale: 0.0,
-        output: core::ptr::null_mut(),
-        energy: core::ptr::null_mut(),
-        workspace: core::ptr::null_mut(),
-        workspace_size: 0,
-        dt_ratio: 1.0,
-        status: 0,
-        closed_points: 0,
-        error_argument: argument::NONE,
-        error_index: 0,
-        reserved: [0; 8],
-    }
-}
-
 /// `CTE_F77_INFO`: dimension, nodes_minimum, unknowns, parameters, history, points, projected, symmetric;
 /// all −1 for an index or node count that does not exist.
 ///
@@ -137,25 +93,15 @@ pub unsafe fn info(
         return;
     }
     let mut info = Info {
-        struct_size: size_of::<Info>() as u32,
         dimension: -1,
         nodes_minimum: -1,
-        nodes_maximum: -1,
-        slave_nodes: -1,
-        master_nodes: -1,
         unknowns: -1,
         parameters: -1,
         history: -1,
         points: -1,
         projected: -1,
-        requests: 0,
         symmetric: -1,
-        operations: -1,
-        workspace: -1,
-        formulation: 0,
-        name: core::ptr::null(),
-        documentation: core::ptr::null(),
-        reserved: [0; 8],
+        ..Info::EMPTY
     };
     // SAFETY: promised by the caller.
     unsafe {

@@ -192,7 +192,7 @@ pub unsafe fn element_message(
 /// `arguments` is null or points to a struct of the size that it begins with.
 unsafe fn whole<'a>(arguments: *const Arguments) -> Option<&'a Arguments> {
     // SAFETY: every struct begins with its size.
-    if arguments.is_null() || !unsafe { is_whole::<Arguments>(arguments.cast()) } {
+    if arguments.is_null() || !unsafe { is_whole(arguments) } {
         return None;
     }
     // SAFETY: the caller's struct is at least as large as ours.

@@ -1,7 +1,6 @@
 //! Global projection of an element's contact points: no start is needed. [eq:global-projection]
 
 use super::evaluate::{node_counts, nodes, parameters, slave_row};
-use super::fortran::blank;
 use super::safe::Outcome;
 use super::sides::Gathered;
 use super::sizes::{Fault, reported};
@@ -116,7 +115,7 @@ pub unsafe fn element_project(
         return code::NULL;
     }
     // SAFETY: every struct begins with its size.
-    if !unsafe { is_whole::<Arguments>(arguments.cast()) } {
+    if !unsafe { is_whole(arguments) } {
         return code::STRUCT_SIZE;
     }
     // SAFETY: the caller's struct is at least as large as ours.
@@ -217,7 +216,7 @@ pub fn project(
     if !history.is_empty() && history.len() < element.history() {
         return too_short(argument::HISTORY_TRIAL);
     }
-    let mut arguments = blank();
+    let mut arguments = Arguments::EMPTY;
     arguments.nnode = n as i32;
     arguments.nslave = nslave as i32;
     arguments.parameter_count = query.parameters.len() as i32;

@@ -1,7 +1,6 @@
 //! One element from Rust: slices in, slices out, through the same door as a C host.
 
 use super::evaluate::element_evaluate;
-use super::fortran::blank;
 use super::types::Arguments;
 use super::{Descriptor, OUTPUT_SIZE, argument, code, request};
 use crate::runtime::Status;
@@ -76,7 +75,7 @@ pub fn evaluate(element: &Descriptor, evaluation: &mut Evaluation<'_>) -> Outcom
             return too_short(name);
         }
     }
-    let mut arguments = blank();
+    let mut arguments = Arguments::EMPTY;
     arguments.nnode = n as i32;
     arguments.nslave = nslave as i32;
     arguments.parameter_count = evaluation.parameters.len() as i32;

@@ -40,12 +40,10 @@ pub fn place(
     let slots = &mut harness.slots;
     let count = usize::try_from(plan.parameter_count).unwrap_or(0);
     let parameters = &state.parameters[..count.min(state.parameters.len())];
-    // SAFETY: zero is a value of every field.
-    let mut a: Arguments = unsafe { std::mem::zeroed() };
-    a.struct_size = match plan.struct_size {
-        0 => size_of::<Arguments>() as u32,
-        size => size,
-    };
+    let mut a = Arguments::EMPTY;
+    if plan.struct_size != 0 {
+        a.struct_size = plan.struct_size;
+    }
     (a.request, a.nnode, a.nslave) = (plan.request, plan.nnode, plan.nslave);
     a.parameter_count = plan.parameter_count;
     a.x = slots.x.input(&strided(&state.x, d, plan.strides[0]), edge);
@@ -124,11 +122,10 @@ fn fill_pointers(a: &mut Arguments, plan: &Plan, arrays: &Arrays) {
         Some(Array::Workspace) => a.workspace = null_mut(),
         _ => {}
     }
-    // documented as not used
+    // documented as not read
     let (unused, low) = (plan.unused, plan.unused as i32);
     (a.u_old, a.v) = (nowhere, nowhere);
-    (a.t, a.dt, a.dt_ratio) = (f64::from_bits(unused), f64::from_bits(!unused), f64::NAN);
-    (a.element_id, a.step, a.increment, a.iteration) = (unused as i64, low, !low, low);
+    (a.dt, a.dt_ratio, a.padding) = (f64::from_bits(unused), f64::NAN, low);
     (a.status, a.closed_points) = (low, low);
     (a.error_argument, a.error_index) = (low, low);
 }

@@ -6,7 +6,7 @@ use std::ptr::{null, null_mut};
 use contact_elements::abi::Batch;
 
 use crate::called::{Outcome, check_exceptions, mode};
-use crate::check::{OUTPUT_SIZE, digest, unchanged, untouched};
+use crate::check::{BATCH_IN_0_1, OUTPUT_SIZE, digest, is_refused, unchanged, untouched};
 use crate::contacts::{Contacts, contacts, parameters};
 use crate::element::{Element, info};
 use crate::entropy::Entropy;
@@ -114,12 +114,10 @@ pub fn place(
     let room = workspace_size.clamp(0, workspace + 1000) as usize;
     let arrays = outputs(harness, element, contacts, room);
     let slots = &mut harness.slots;
-    // SAFETY: zero is a value of every field.
-    let mut b: Batch = unsafe { std::mem::zeroed() };
-    b.struct_size = match plan.struct_size {
-        0 => size_of::<Batch>() as u32,
-        size => size,
-    };
+    let mut b = Batch::EMPTY;
+    if plan.struct_size != 0 {
+        b.struct_size = plan.struct_size;
+    }
     (b.request, b.nslave, b.parameter_count) = (plan.request, plan.nslave, plan.parameter_count);
     b.x = slots
         .x
@@ -215,14 +213,16 @@ fn check_struct(contacts: &Contacts, code: i32, block: &Output<u8>, before: &[u8
     NUMBERS.code(code)?;
     block.check_margins("batch")?;
     let after = block.values();
-    let (first, last) = (offset_of!(Batch, failed), offset_of!(Batch, reserved));
-    if contacts.null == Some(1) || before.len() < size_of::<Batch>() {
+    let first = offset_of!(Batch, failed);
+    let size = contacts.plan.struct_size;
+    let refused = size != 0 && is_refused::<Batch>(size, BATCH_IN_0_1);
+    if contacts.null == Some(1) || refused {
         return match code < 0 && after == before {
             true => Ok(()),
             false => Err(format!("a struct that is none: code {code} or written")),
         };
     }
-    if after[..first] != before[..first] || after[last..] != before[last..] {
+    if after[..first] != before[..first] {
         return Err("batch: an input of the struct was written".to_string());
     }
     // SAFETY: the block holds a whole struct, aligned to 8.

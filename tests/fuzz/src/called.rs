@@ -108,11 +108,8 @@ fn check_struct(
     NUMBERS.code(code)?;
     block.check_margins("arguments")?;
     let after = block.values();
-    let (first, last) = (
-        offset_of!(Arguments, dt_ratio),
-        offset_of!(Arguments, reserved),
-    );
-    let refused = plan.null == Some(Array::Arguments) || before.len() < size_of::<Arguments>();
+    let (first, last) = (offset_of!(Arguments, dt_ratio), size_of::<Arguments>());
+    let refused = plan.null == Some(Array::Arguments) || plan.has_no_struct();
     let same = |range: std::ops::Range<usize>| after.get(range.clone()) == before.get(range);
     if refused {
         return match code < 0 && same(0..before.len()) {

@@ -85,3 +85,18 @@ pub fn digest(lists: &[&[f64]]) -> u64 {
     }
     hasher.finish()
 }
+
+/// Size of `cte_arguments` in interface 0.1.
+pub const ARGUMENTS_IN_0_1: u32 = 312;
+/// Size of `cte_batch` in interface 0.1.
+pub const BATCH_IN_0_1: u32 = 336;
+/// Size of `cte_info` in interface 0.1.
+pub const INFO_IN_0_1: u32 = 152;
+/// Size of `cte_patch` in interface 0.1.
+pub const PATCH_IN_0_1: u32 = 120;
+
+/// Whether a struct `T` that begins with this size must be refused: it is smaller than that of version 1.0, or laid
+/// out as in 0.1.
+pub fn is_refused<T>(struct_size: u32, in_0_1: u32) -> bool {
+    (struct_size as usize) < size_of::<T>() || struct_size == in_0_1
+}

@@ -4,6 +4,7 @@ use std::ptr::{null, null_mut};
 
 use contact_elements::abi::{ApiTable, Info};
 
+use crate::check::{INFO_IN_0_1, is_refused};
 use crate::element::{Range, text};
 use crate::entropy::Entropy;
 use crate::harness::{Checked, Harness};
@@ -58,7 +59,7 @@ fn versions(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     // SAFETY: no arguments.
     let version = harness.call(VERSION, || unsafe { version() });
     let major = entropy.pick(&[1, 1, 1, 0, 2, u32::MAX, version]);
-    let size = entropy.struct_size::<ApiTable>();
+    let size = entropy.struct_size::<ApiTable>(0);
     let room = (size as usize).clamp(4, size_of::<ApiTable>() + 64);
     let mut before = vec![0x5a_u8; room];
     before[..4].copy_from_slice(&size.to_ne_bytes());
@@ -165,7 +166,7 @@ fn nodes(harness: &Harness, at: usize, entropy: &mut Entropy) -> i32 {
 fn info(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     let at = harness.element(entropy);
     let (nnode, edge) = (nodes(harness, at, entropy), edge(entropy));
-    let size = entropy.struct_size::<Info>();
+    let size = entropy.struct_size::<Info>(INFO_IN_0_1);
     let room = (size as usize).clamp(4, size_of::<Info>() + 64);
     let mut before = vec![0x5a_u8; room];
     before[..4].copy_from_slice(&size.to_ne_bytes());
@@ -202,6 +203,7 @@ fn info(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     };
     let fits = info.unknowns as usize == element.unknowns(n as usize)
         && info.struct_size == size
+        && !is_refused::<Info>(size, INFO_IN_0_1)
         && info.history == element.info.history
         && (info.workspace > 0) == element.interpolated();
     // SAFETY: static, zero-terminated texts.

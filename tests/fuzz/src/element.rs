@@ -141,15 +141,11 @@ pub(crate) fn info(
     element: *const Descriptor,
     nnode: i32,
 ) -> Result<Info, String> {
-    let mut info = std::mem::MaybeUninit::<Info>::zeroed();
-    // SAFETY: zero is a value of every field; the struct begins with its size.
-    unsafe {
-        let size = size_of::<Info>() as u32;
-        info.as_mut_ptr().cast::<u32>().write(size);
-        match (interface.table.element_info)(element, nnode, info.as_mut_ptr()) {
-            0 => Ok(info.assume_init()),
-            code => Err(format!("no description with {nnode} nodes: {code}")),
-        }
+    let mut info = Info::EMPTY;
+    // SAFETY: the struct begins with its size.
+    match unsafe { (interface.table.element_info)(element, nnode, &mut info) } {
+        0 => Ok(info),
+        code => Err(format!("no description with {nnode} nodes: {code}")),
     }
 }
 

@@ -78,10 +78,14 @@ impl Entropy {
         10.0_f64.powf(self.between(lower, upper))
     }
 
-    /// The size that a struct of a call may begin with: mostly its own.
-    pub fn struct_size<T>(&mut self) -> u32 {
+    /// The size that a struct of a call may begin with: mostly its own; also the one it had in interface 0.1.
+    pub fn struct_size<T>(&mut self, in_0_1: u32) -> u32 {
         let whole = size_of::<T>() as u32;
-        self.pick(&[whole, whole, whole, whole + 8, u32::MAX, whole - 1, 4, 0])
+        let wrong = [u32::MAX, whole - 1, 4, 0, in_0_1];
+        match self.below(2) {
+            0 => self.pick(&[whole, whole, whole, whole + 8]),
+            _ => self.pick(&wrong),
+        }
     }
 
     /// A double as nobody would send it on purpose; `other` is the value it replaces or one beside it.

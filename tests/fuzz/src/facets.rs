@@ -1,5 +1,6 @@
 //! Patches: facets that share their nodes, slave points near them, the elements that belong together and wrong ones.
 
+use crate::check::PATCH_IN_0_1;
 use crate::element::Element;
 use crate::entropy::Entropy;
 use crate::harness::Harness;
@@ -154,7 +155,7 @@ impl Facets {
                     _ => entropy.pick(&[0, -1, i32::MIN, i32::MAX, 1 << 30]),
                 };
             }
-            6 => self.struct_size = entropy.pick(&[0, 4, 8, 56, 119, 121, 184, u32::MAX]),
+            6 => self.struct_size = entropy.pick(&[0, 4, 8, 55, 57, PATCH_IN_0_1, 184, u32::MAX]),
             7 => self.null = Some(entropy.below(2)),
             _ => self.change_connectivity(entropy),
         }

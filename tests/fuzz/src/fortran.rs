@@ -150,7 +150,7 @@ fn call(harness: &mut Harness, entropy: &mut Entropy) -> Result<(Plan, i32, i32)
         _ => unknowns,
     };
     (plan.map, plan.aliased, plan.short) = (None, false, 0);
-    (plan.scales, plan.strides, plan.struct_size) = ([0.0; 2], [0; 2], 0);
+    (plan.scales, plan.strides, plan.struct_size) = ([1.0; 2], [0; 2], 0);
     if matches!(
         plan.null,
         Some(Array::Element | Array::Arguments | Array::Workspace)

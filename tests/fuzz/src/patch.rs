@@ -5,7 +5,7 @@ use std::ptr::{null, null_mut};
 use contact_elements::abi::{Descriptor, Info, Patch};
 
 use crate::called::{Outcome, make};
-use crate::check::is_usable;
+use crate::check::{INFO_IN_0_1, PATCH_IN_0_1, is_refused, is_usable};
 use crate::element::Element;
 use crate::entropy::Entropy;
 use crate::facets::{Facets, KINDS};
@@ -65,7 +65,7 @@ fn info(harness: &mut Harness, mut facets: Facets, entropy: &mut Entropy) -> Che
         // as many as no array here could hold: only their number is looked at
         facets.counts[0] = entropy.pick(&[1000, 1 << 20, 1 << 27]);
     }
-    let size = entropy.struct_size::<Info>();
+    let size = entropy.struct_size::<Info>(INFO_IN_0_1);
     let mut before = vec![0x5a_u8; (size as usize).clamp(4, size_of::<Info>() + 64)];
     before[..4].copy_from_slice(&size.to_ne_bytes());
     let block = harness.slots.arguments.output(&before, edge);
@@ -92,8 +92,9 @@ fn info(harness: &mut Harness, mut facets: Facets, entropy: &mut Entropy) -> Che
         1 => argument == UNSET,
         _ => NUMBERS.argument(argument).is_ok() && (argument == 0) == (code == 0),
     };
-    let small = missing == 0 || (size as usize) < size_of::<Info>();
-    if !CODES.contains(&name) || !names || (small && code == 0) {
+    let no_struct = missing == 0 || is_refused::<Info>(size, INFO_IN_0_1);
+    let no_patch = facets.struct_size == PATCH_IN_0_1;
+    if !CODES.contains(&name) || !names || ((no_struct || no_patch) && code == 0) {
         return Err(format!("{name} names argument {argument}"));
     }
     if code != 0 {
@@ -173,7 +174,6 @@ fn place(harness: &mut Harness, facets: &Facets, edge: Edge) -> *const Patch {
             _ => connectivity,
         },
         reach: facets.reach,
-        reserved: [0; 8],
     };
     let size = (patch.struct_size as usize).clamp(4, whole + 64);
     // SAFETY: a struct without padding is bytes.
@@ -281,9 +281,7 @@ fn perform(
         Some(Array::Element) => null(),
         _ => place(harness, facets, plan.edge),
     };
-    // SAFETY: zero is a value of every field.
-    let mut info: Info = unsafe { std::mem::zeroed() };
-    info.struct_size = size_of::<Info>() as u32;
+    let mut info = Info::EMPTY;
     let describe = harness.interface.table.patch_info;
     // SAFETY: the patch is null or as the header demands; no argument is asked for.
     let described = harness.call(INFO, || unsafe { describe(patch, &mut info, null_mut()) });

@@ -1,5 +1,8 @@
 //! What one evaluation is called with: a valid call in which single things are replaced.
 
+use contact_elements::abi::Arguments;
+
+use crate::check::{ARGUMENTS_IN_0_1, is_refused};
 use crate::element::Element;
 use crate::entropy::Entropy;
 use crate::memory::Edge;
@@ -164,6 +167,11 @@ impl Plan {
         self
     }
 
+    /// Whether the library must refuse the struct for its size.
+    pub fn has_no_struct(&self) -> bool {
+        self.struct_size != 0 && is_refused::<Arguments>(self.struct_size, ARGUMENTS_IN_0_1)
+    }
+
     /// Host rows that f and K have.
     pub fn rows(&self, unknowns: usize) -> usize {
         let last = self.map.iter().flatten().copied().max();
@@ -220,7 +228,10 @@ impl Plan {
                 self.scales[which] = entropy.strange(1.0);
             }
             10 => self.short = entropy.pick(&[1, 2, i64::MAX, -1000]),
-            11 => self.struct_size = entropy.pick(&[1, 4, 8, 247, 311, 313, 376, u32::MAX]),
+            11 => {
+                self.struct_size =
+                    entropy.pick(&[1, 4, 8, 223, 225, ARGUMENTS_IN_0_1, 376, u32::MAX])
+            }
             _ => {
                 if let Some(old) = &mut self.old {
                     change_list(old, entropy.chance(1, 8), entropy);

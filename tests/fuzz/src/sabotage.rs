@@ -8,6 +8,7 @@ use std::sync::atomic::Ordering::Relaxed;
 use clap::ValueEnum;
 use contact_elements::abi::{Arguments, Descriptor};
 
+use crate::check::{ARGUMENTS_IN_0_1, is_refused};
 use crate::interface::Interface;
 use crate::plan::request;
 
@@ -70,9 +71,9 @@ unsafe extern "C" fn evaluate(element: *const Descriptor, arguments: *mut Argume
     };
     // SAFETY: the harness keeps the header's promises; every struct begins with its size.
     unsafe {
-        let whole =
-            !arguments.is_null() && *arguments.cast::<u32>() as usize >= size_of::<Arguments>();
-        if !whole {
+        let is_refused = arguments.is_null()
+            || is_refused::<Arguments>(*arguments.cast::<u32>(), ARGUMENTS_IN_0_1);
+        if is_refused {
             return good(element, arguments);
         }
         let scale = (*arguments).f_scale;
@@ -96,7 +97,7 @@ unsafe fn harm(sabotage: Sabotage, arguments: &mut Arguments, code: i32) -> i32 
             Sabotage::WriteBehind if wants(request::ENERGY) => *energy.add(1) = 0.0,
             Sabotage::WriteBefore if wants(request::ENERGY) => *energy.sub(1) = 0.0,
             Sabotage::WriteInput if code == 0 => *arguments.x.cast_mut() = 0.0,
-            Sabotage::WriteStruct => arguments.element_id ^= 1,
+            Sabotage::WriteStruct => arguments.padding ^= 1,
             Sabotage::WriteUnrequested
                 if code == 0 && !wants(request::ENERGY) && !energy.is_null() =>
             {

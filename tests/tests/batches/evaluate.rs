@@ -106,9 +106,7 @@ pub fn evaluate(
         n * node.max(d * component)
     };
     let strided = spread(contacts, form);
-    // SAFETY: null pointers and zeros are defaults.
-    let mut batch: Batch = unsafe { std::mem::zeroed() };
-    batch.struct_size = size_of::<Batch>() as u32;
+    let mut batch = Batch::EMPTY;
     batch.request = form.request | form.blocks();
     batch.parameter_count = element.parameters.len() as i32;
     batch.parameter_element_stride = if form.same_parameters {
@@ -186,7 +184,7 @@ pub fn forms() -> Vec<Form> {
         strides: [3, 1],
         scattered: false,
         by_blocks: false,
-        scale: 0.0,
+        scale: 1.0,
     };
     vec![
         plain,

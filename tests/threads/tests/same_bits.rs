@@ -37,7 +37,7 @@ const FORMS: [Form; 5] = {
         dense: false,
         scattered: true,
         by_blocks: false,
-        scale: 0.0,
+        scale: 1.0,
         spare: 0,
         in_place: false,
     };
@@ -105,9 +105,7 @@ fn evaluate(mesh: &Mesh, form: Form, threads: Option<i32>) -> Outputs {
     // SAFETY: the element's own.
     let needed = unsafe { element_batch_workspace(element, mesh.slaves as i32) };
     let mut workspace = vec![0.0; needed as usize];
-    // SAFETY: null pointers and zeros are defaults.
-    let mut batch: Batch = unsafe { std::mem::zeroed() };
-    batch.struct_size = size_of::<Batch>() as u32;
+    let mut batch = Batch::EMPTY;
     batch.request = form.request;
     if form.by_blocks {
         batch.request |= request::CSR_BY_BLOCKS;
@@ -241,8 +239,7 @@ fn faults_of_the_batch() {
     assert!(refused.status.iter().all(|&status| status == -1));
     // SAFETY: zeros are defaults; no contacts.
     unsafe {
-        let mut batch: Batch = std::mem::zeroed();
-        batch.struct_size = size_of::<Batch>() as u32;
+        let mut batch = Batch::EMPTY;
         batch.request = request::RESIDUAL;
         assert_eq!(element_evaluate_batch_threads(element, 0, &mut batch, 2), 0);
         batch.request = 0x4000_0000;

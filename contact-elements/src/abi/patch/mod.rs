@@ -39,15 +39,26 @@ pub struct Patch {
     pub master_nodes: i32,
     pub facets: i32,
     pub facet: *const Descriptor,
+    pub connectivity: *const i32,
     pub edge: *const Descriptor,
     pub vertex: *const Descriptor,
-    pub connectivity: *const i32,
     pub reach: f64,
-    pub reserved: [u64; 8],
 }
 
-#[cfg(target_pointer_width = "64")]
-const _: () = assert!(size_of::<Patch>() == 120);
+impl Patch {
+    /// `CTE_PATCH_INIT`: no facet.
+    pub const EMPTY: Self = Self {
+        struct_size: size_of::<Self>() as u32,
+        slave_points: 0,
+        master_nodes: 0,
+        facets: 0,
+        facet: core::ptr::null(),
+        connectivity: core::ptr::null(),
+        edge: core::ptr::null(),
+        vertex: core::ptr::null(),
+        reach: 0.0,
+    };
+}
 
 /// The caller's patch, if it is one.
 ///
@@ -58,7 +69,7 @@ unsafe fn whole<'a>(patch: *const Patch) -> Result<&'a Patch, Fault> {
         return Err((code::NULL, argument::PATCH, 0));
     }
     // SAFETY: every struct begins with its size.
-    if !unsafe { is_whole::<Patch>(patch.cast()) } {
+    if !unsafe { is_whole(patch) } {
         return Err((code::STRUCT_SIZE, argument::PATCH, 0));
     }
     // SAFETY: the caller's struct is at least as large as ours.
@@ -76,9 +87,7 @@ pub unsafe fn patch_info(patch: *const Patch, info: *mut Info, argument: *mut i3
     let outcome = match outcome {
         _ if info.is_null() => Err((code::NULL, argument::INFO, 0)),
         // SAFETY: every struct begins with its size.
-        _ if !unsafe { is_whole::<Info>(info.cast()) } => {
-            Err((code::STRUCT_SIZE, argument::INFO, 0))
-        }
+        _ if !unsafe { is_whole(info) } => Err((code::STRUCT_SIZE, argument::INFO, 0)),
         outcome => outcome,
     };
     let (code, name) = match outcome {
@@ -116,7 +125,6 @@ fn describe(checked: &Checked<'_>, info: &mut Info) {
         formulation: checked.formulation(),
         name: facet.name.as_ptr(),
         documentation: facet.documentation.as_ptr(),
-        reserved: [0; 8],
     };
 }
 
@@ -129,7 +137,7 @@ pub unsafe fn patch_evaluate(patch: *const Patch, arguments: *mut Arguments) -> 
         return code::NULL;
     }
     // SAFETY: every struct begins with its size.
-    if !unsafe { is_whole::<Arguments>(arguments.cast()) } {
+    if !unsafe { is_whole(arguments) } {
         return code::STRUCT_SIZE;
     }
     // SAFETY: the caller's struct is at least as large as ours.

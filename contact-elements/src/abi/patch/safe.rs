@@ -1,7 +1,7 @@
 //! A patch from Rust: slices in, slices out, through the same door as a C host.
 
-use super::super::fortran::blank;
 use super::super::safe::{Evaluation, Outcome};
+use super::super::types::Arguments;
 use super::super::{Descriptor, OUTPUT_SIZE, argument, code, request};
 use super::{HISTORY, Patch, WORKSPACE, patch_evaluate};
 
@@ -82,7 +82,6 @@ pub fn evaluate_patch(facets: &Facets<'_>, evaluation: &mut Evaluation<'_>) -> O
         }
     }
     let patch = Patch {
-        struct_size: size_of::<Patch>() as u32,
         slave_points: facets.slave_points as i32,
         master_nodes: facets.master_nodes as i32,
         facets: count as i32,
@@ -91,9 +90,9 @@ pub fn evaluate_patch(facets: &Facets<'_>, evaluation: &mut Evaluation<'_>) -> O
         vertex: facets.vertex.map_or(core::ptr::null(), core::ptr::from_ref),
         connectivity: facets.connectivity.as_ptr(),
         reach: facets.reach,
-        reserved: [0; 8],
+        ..Patch::EMPTY
     };
-    let mut arguments = blank();
+    let mut arguments = Arguments::EMPTY;
     let mut wanted = evaluation.bits;
     let mut target = |slice: &mut [f64], bit: u32| {
         if slice.is_empty() {

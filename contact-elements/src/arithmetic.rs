@@ -86,3 +86,31 @@ pub fn radicand(x: f64) -> f64 {
     let bits = x.to_bits();
     f64::from_bits(bits & ((bits >> 63).wrapping_sub(1)))
 }
+
+/// Largest magnitude of a coordinate [length].
+pub(crate) const LARGEST_INPUT: f64 = 1e30;
+
+/// True for finite values within the supported magnitude; looks at the bits only, so that a signalling
+/// NaN raises nothing.
+#[inline(always)]
+pub(crate) fn is_usable(value: f64) -> bool {
+    (value.to_bits() & !(1 << 63)) <= LARGEST_INPUT.to_bits()
+}
+
+/// True where all values are usable.
+#[inline(always)]
+pub(crate) fn are_usable(values: &[f64]) -> bool {
+    let mut signs = 0;
+    for &value in values {
+        signs |= room(value);
+    }
+    signs >> 63 == 0
+}
+
+/// Negative as an integer for values that are not usable.
+#[inline(always)]
+fn room(value: f64) -> u64 {
+    LARGEST_INPUT
+        .to_bits()
+        .wrapping_sub(value.to_bits() & !(1 << 63))
+}

@@ -7,6 +7,8 @@
 //! |---|---|
 //! | `threads`, off | [`abi::element_evaluate_batch_threads`] has threads; needs the standard library |
 #![no_std]
+// [eq:…] names an equation of docs/, not an item; the documentation tests follow it
+#![allow(rustdoc::broken_intra_doc_links)]
 
 extern crate self as contact_elements;
 #[cfg(feature = "threads")]
@@ -16,8 +18,12 @@ pub use contact_macros::contact_elements;
 
 pub mod abi;
 pub mod arithmetic;
+mod batch;
+mod element;
 pub mod geometry;
+mod lanes;
 pub mod laws;
+mod point;
 pub mod program;
 pub mod runtime;
 pub mod search;

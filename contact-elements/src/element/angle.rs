@@ -1,0 +1,219 @@
+//! Contact of two curves weighted by their angle: w W instead of W. [eq:angle-energy]
+//!
+//! ```text
+//! R_(A,k)      = w N n·δr + form(A,k)                                    [eq:angle-residual]
+//! K_(A,k)(B,l) = w (…) + A(A,k) B(B,l) + B(A,k) A(B,l) for each pair     [eq:angle-tangent]
+//! form(A,k)    = s_A v_k + N^slave_A,1 t_k + N^master_A,1 t'_k + N^slave_A,11 b_k + N^master_A,11 b'_k
+//! ```
+//!
+//! A point whose weight is zero is open, whatever became of its projection. Calls, not inlined, and none for an
+//! element that acts at any angle.
+
+use crate::element::receiver::{Call, Receiver};
+use crate::element::stage::Stage;
+use crate::element::traits::Element;
+use crate::point::blend::{AngleForm, Blend, FormRows};
+use crate::point::law::Traction;
+use crate::point::projection::constrained::nearest;
+use crate::point::projection::foot::largest;
+use crate::point::projection::step::SMALLEST;
+use crate::point::state::Point;
+use crate::point::values::{Gap, Status, Vectors, dot, is_zero};
+
+/// w, w', w'' at a projected point; no weight where a curve has no tangent. [eq:angle-weight]
+#[inline(always)]
+pub(crate) fn weight<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    number: usize,
+    x: &[[f64; D]],
+    vectors: &Vectors<D, P, H>,
+    parameters: &[f64],
+) -> Result<[f64; 3], Status> {
+    let tangents = E::curve_tangents(number, x, vectors, parameters);
+    for tangent in &tangents {
+        let square = dot(tangent, tangent);
+        if !(SMALLEST * SMALLEST..=f64::MAX).contains(&square) {
+            return Err(Status::Degenerate);
+        }
+    }
+    let [position, rate] = E::angle_position(&tangents, parameters);
+    // the window has a width: the parameters have been checked
+    Ok(E::angle_weight([position.clamp(0.0, 1.0), rate]))
+}
+
+/// An open point: the weight is zero there.
+#[inline(always)]
+pub(crate) fn open<const D: usize, const P: usize, const H: usize>(
+    zeta: [f64; P],
+    vectors: Vectors<D, P, H>,
+    iterations: u32,
+) -> Point<D, P, H> {
+    Point {
+        status: Status::Open,
+        feature: 0,
+        zeta,
+        vectors,
+        gap: Gap::default(),
+        orientation: 1.0,
+        law: Traction::default(),
+        blend: Blend::default(),
+        multiplier: 0.0,
+        iterations,
+    }
+}
+
+/// Of a point that has no projection: open where the weight is zero at the nearest points of the curves, as those of
+/// nearly parallel ones do not depend on where exactly they are.
+#[cold]
+#[inline(never)]
+pub(crate) fn without_projection<
+    E: Element<D, P, H>,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
+    call: &Call<'_>,
+    stage: &mut Stage<'_, D, P, H>,
+    number: usize,
+    (start, status): ([f64; P], Status),
+) -> Result<Point<D, P, H>, Status> {
+    if !matches!(status, Status::NotUnique | Status::NotConverged) {
+        return Err(status);
+    }
+    let (zeta, vectors) = nearest::<E, D, P, H>(stage.x, start, call.parameters, &mut stage.rows);
+    let [weight, ..] = weight::<E, D, P, H>(number, stage.x, &vectors, call.parameters)?;
+    if weight > 0.0 {
+        return Err(status);
+    }
+    Ok(open(zeta, vectors, 0))
+}
+
+/// Whether a point whose weight is zero has a normal.
+#[inline(always)]
+pub(crate) fn has_normal<const D: usize, const P: usize, const H: usize>(
+    x: &[[f64; D]],
+    vectors: &Vectors<D, P, H>,
+) -> bool {
+    !is_zero(&vectors.r, largest(x))
+}
+
+/// N, N' and W times the weight; the rest is kept.
+#[inline(always)]
+pub(crate) fn weigh<const D: usize, const P: usize, const H: usize>(
+    point: &mut Point<D, P, H>,
+    [weight, slope, curvature]: [f64; 3],
+) {
+    let Traction {
+        traction,
+        energy,
+        slope: stiffness,
+    } = point.law;
+    point.blend = Blend {
+        slope,
+        curvature,
+        traction,
+        energy,
+    };
+    point.law = Traction {
+        traction: weight * traction,
+        slope: weight * stiffness,
+        energy: weight * energy,
+    };
+}
+
+/// Adds W w' δq. [eq:angle-residual]
+#[inline(never)]
+pub(crate) fn residual<
+    E: Element<D, P, H>,
+    R: Receiver,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
+    call: &Call<'_>,
+    stage: &mut Stage<'_, D, P, H>,
+    point: &Point<D, P, H>,
+    (number, weight): (usize, f64),
+    receiver: &mut R,
+) {
+    if !point.blend.changes() {
+        return;
+    }
+    let tangents = E::curve_tangents(number, stage.x, &point.vectors, call.parameters);
+    let form = E::angle_force(&tangents, &point.vectors, &point.gap, &point.blend);
+    if P == 1 {
+        E::slave_direction(number, call.parameters, stage.tangential.slave);
+    }
+    let rows = rows(stage);
+    for a in 0..stage.rows.s.len() {
+        for k in 0..D {
+            let value = weight * rows.entry(&form, (a, k));
+            receiver.force((a, k), value, false);
+        }
+    }
+}
+
+/// Adds w' N (δg Δq + δq Δg) + W w'' δq Δq + W w' D²q. [eq:angle-tangent]
+#[inline(never)]
+pub(crate) fn tangent<
+    E: Element<D, P, H>,
+    R: Receiver,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
+    call: &Call<'_>,
+    stage: &mut Stage<'_, D, P, H>,
+    point: &Point<D, P, H>,
+    (number, weight): (usize, f64),
+    receiver: &mut R,
+) {
+    if !point.blend.changes() {
+        return;
+    }
+    let second = &mut stage.tangential.second;
+    let third = E::higher(stage.x, &point.zeta, call.parameters, second);
+    if P == 1 {
+        E::slave_direction(number, call.parameters, stage.tangential.slave);
+    }
+    let tangents = E::curve_tangents(number, stage.x, &point.vectors, call.parameters);
+    let coefficients =
+        E::angle_tangent(&tangents, &point.vectors, &point.gap, &third, &point.blend);
+    let unknowns = stage.rows.s.len() * D;
+    let row = core::mem::take(&mut stage.temporaries.row);
+    let rows = rows(stage);
+    for unknown in 0..unknowns {
+        let at = (unknown / D, unknown % D);
+        let mut whole = AngleForm::default();
+        for [left, right] in &coefficients.0 {
+            whole.add(weight * rows.entry(left, at), right);
+            whole.add(weight * rows.entry(right, at), left);
+        }
+        let Some(row) = row.get_mut(..unknowns) else {
+            continue;
+        };
+        for (other, entry) in row.iter_mut().enumerate() {
+            *entry = rows.entry(&whole, (other / D, other % D));
+        }
+        receiver.row(unknown, row, false);
+    }
+    stage.temporaries.row = row;
+}
+
+/// The rows of a form: of two projected curves, or of an integration point of the slave and the projected master.
+#[inline(always)]
+fn rows<'a, const D: usize, const P: usize, const H: usize>(
+    stage: &'a Stage<'_, D, P, H>,
+) -> FormRows<'a> {
+    let tangent = |i: usize| stage.rows.ds.get(i).map_or(&[][..], |row| &**row);
+    let second = |h: usize| {
+        let row = stage.tangential.second.get(h);
+        row.map_or(&[][..], |row| &**row)
+    };
+    let s = &*stage.rows.s;
+    FormRows(if P == 2 {
+        [s, tangent(0), tangent(1), second(0), second(2)]
+    } else {
+        let slave = &*stage.tangential.slave;
+        [s, slave, tangent(0), &[], second(0)]
+    })
+}

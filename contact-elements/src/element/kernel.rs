@@ -1,0 +1,249 @@
+//! From coordinates anywhere in memory to an evaluation: checks, scratch.
+
+use crate::arithmetic::is_usable;
+use crate::element::driver::evaluate;
+use crate::element::edge_side::is_side_given;
+use crate::element::gather::{Nodes, gather, multipliers, shift_of_row};
+use crate::element::receiver::{Call, InputError, Receiver, Summary};
+use crate::element::stage::{MOST_COLUMNS, Stage, TangentialRows, Temporaries};
+use crate::element::traits::Element;
+use crate::point::friction::TangentialLaw;
+use crate::point::history::{
+    History, can_be_anchor, can_be_projection, is_remembered, is_side, is_status,
+};
+use crate::point::values::Rows;
+
+/// Finite numbers, a projection within [`FARTHEST_PROJECTION`] extents; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
+/// that is not negative; with rolling what [`is_remembered`] says; of edges what [`is_side`] says; a multiplier that is not positive.
+#[inline(always)]
+fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    history: &History<'_>,
+) -> Result<(), InputError> {
+    for index in 0..history.len() {
+        if !is_usable(history.at(index)) {
+            return Err(InputError::History(index));
+        }
+    }
+    let mut first = 0;
+    while let Some(own) = history.part(first, E::HISTORY) {
+        if let Err(entry) = check_point::<E, D, P, H>(&own) {
+            return Err(InputError::Impossible(first + entry));
+        }
+        first += E::HISTORY;
+    }
+    Ok(())
+}
+
+/// The first entry of a point's history that no evaluation writes.
+#[inline(always)]
+fn check_point<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    own: &History<'_>,
+) -> Result<(), usize> {
+    let at = |entry: usize| own.at(entry);
+    for i in 0..P {
+        if !can_be_projection(at(1 + i), E::centre()[i], E::extent(i)) {
+            return Err(1 + i);
+        }
+    }
+    if E::KEEPS_SIDE
+        && !is_side(&core::array::from_fn(|k| {
+            at(E::HISTORY_LAYOUT.side_at() + k)
+        }))
+    {
+        return Err(E::HISTORY_LAYOUT.side_at());
+    }
+    if !E::Tangential::ACTIVE && !E::AUGMENTED {
+        return Ok(());
+    }
+    if !is_status(at(0)) {
+        return Err(0);
+    }
+    if E::Tangential::ACTIVE {
+        for i in 0..P {
+            if !can_be_anchor(at(1 + P + i), E::centre()[i], E::extent(i)) {
+                return Err(1 + P + i);
+            }
+        }
+        if at(1 + 2 * P) < 0.0 {
+            return Err(1 + 2 * P);
+        }
+        for entry in 0..E::HISTORY_LAYOUT.rolling {
+            if !is_remembered(entry, at(2 + 2 * P + entry)) {
+                return Err(2 + 2 * P + entry);
+            }
+        }
+    }
+    if E::AUGMENTED && at(E::HISTORY - 1) > 0.0 {
+        return Err(E::HISTORY - 1);
+    }
+    Ok(())
+}
+
+/// Kernel of an element with N nodes and Q points; W ≥ D·N is the length of the scratch rows.
+#[inline(always)]
+pub fn fixed<
+    E: Element<D, P, H>,
+    R: Receiver,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+    const N: usize,
+    const Q: usize,
+    const W: usize,
+>(
+    call: &Call<'_>,
+    nodes: &Nodes<'_>,
+    vectors: &[bool],
+    receiver: &mut R,
+) -> Result<Summary, InputError> {
+    match call.history {
+        Some(history) => check_history::<E, D, P, H>(&history)?,
+        None if E::KEEPS_SIDE && !is_side_given::<E, D, P, H>(call.parameters) => {
+            return Err(InputError::NoHistory);
+        }
+        None => {}
+    }
+    let mut x = [[0.0; D]; N];
+    let mut reference = [[0.0; D]; N];
+    let is_vector = |a: usize| vectors.get(a).copied().unwrap_or(false);
+    gather::<E, D, P, H>(nodes, call.parameters, is_vector, &mut x, &mut reference)?;
+    let mut unknown = [0.0; Q];
+    if E::MULTIPLIER {
+        multipliers(nodes, N, &mut unknown)?;
+    }
+    let mut s = [0.0; N];
+    let mut ds = [[0.0; N]; P];
+    let mut u = [[0.0; W]; D];
+    let mut g = [[0.0; W]; P];
+    let (mut h, mut row, mut variation) = ([0.0; W], [0.0; W], [0.0; W]);
+    let mut second = [[0.0; N]; H];
+    let mut slave = [0.0; N];
+    let mut columns = [[0.0; W]; MOST_COLUMNS];
+    let mut stage = Stage {
+        x: &x,
+        reference: &reference,
+        multipliers: &unknown,
+        rows: Rows {
+            s: &mut s,
+            ds: ds.each_mut().map(|row| row.as_mut_slice()),
+        },
+        temporaries: Temporaries {
+            u: u.each_mut().map(|row| row.as_mut_slice()),
+            g: g.each_mut().map(|row| row.as_mut_slice()),
+            h: &mut h,
+            row: &mut row,
+        },
+        variation: &mut variation,
+        tangential: TangentialRows {
+            second: second.each_mut().map(|row| row.as_mut_slice()),
+            slave: &mut slave,
+            columns: columns.as_flattened_mut(),
+        },
+    };
+    Ok(evaluate::<E, R, D, P, H, Q>(call, &mut stage, receiver)?)
+}
+
+/// Doubles of workspace that `interpolated` needs for `n` nodes.
+#[inline]
+pub const fn workspace(n: usize, d: usize, p: usize, friction: bool) -> usize {
+    let width = row_width(n * d, friction);
+    let tangential = if friction {
+        n * (p * (p + 1) / 2 + 1) + 2 * (p + d) * width
+    } else {
+        0
+    };
+    n * d + n * (1 + p) + width * (d + p + 2) + tangential
+}
+
+/// Length of a row over all unknowns; with friction in whole quadruples.
+const fn row_width(unknowns: usize, friction: bool) -> usize {
+    if friction {
+        unknowns.next_multiple_of(4)
+    } else {
+        unknowns
+    }
+}
+
+/// Kernel of an element whose slave row is handed in: scratch comes from `memory`.
+#[inline(always)]
+pub fn interpolated<
+    E: Element<D, P, H>,
+    R: Receiver,
+    const D: usize,
+    const P: usize,
+    const H: usize,
+>(
+    call: &Call<'_>,
+    nodes: &Nodes<'_>,
+    masters_vectors: &[bool],
+    memory: &mut [f64],
+    receiver: &mut R,
+) -> Result<Summary, InputError> {
+    if let Some(history) = call.history {
+        check_history::<E, D, P, H>(&history)?;
+    }
+    for (index, &value) in call.slave_row.iter().enumerate() {
+        if !is_usable(value) {
+            return Err(InputError::SlaveRow(index));
+        }
+    }
+    let mut unknown = [0.0; 1];
+    let n = if E::MULTIPLIER {
+        nodes.count.saturating_sub(1)
+    } else {
+        nodes.count
+    };
+    if E::MULTIPLIER {
+        multipliers(nodes, n, &mut unknown)?;
+    }
+    let mut rest = memory
+        .get_mut(..workspace(n, D, P, E::Tangential::ACTIVE))
+        .ok_or(InputError::Workspace)?;
+    for value in rest.iter_mut() {
+        *value = 0.0;
+    }
+    let mut take = |length: usize| -> &mut [f64] {
+        let (head, tail) = core::mem::take(&mut rest)
+            .split_at_mut_checked(length)
+            .unwrap_or((&mut [], &mut []));
+        rest = tail;
+        head
+    };
+    let (x, _) = take(n * D).as_chunks_mut::<D>();
+    let s = take(n);
+    let ds = core::array::from_fn(|_| take(n));
+    let width = row_width(n * D, E::Tangential::ACTIVE);
+    let u = core::array::from_fn(|_| take(width));
+    let g = core::array::from_fn(|_| take(width));
+    let (h, row) = (take(width), take(width));
+    let (nodes_more, unknowns_more) = if E::Tangential::ACTIVE {
+        (n, width)
+    } else {
+        (0, 0)
+    };
+    let tangential = TangentialRows {
+        second: core::array::from_fn(|_| take(nodes_more)),
+        slave: take(nodes_more),
+        columns: take(2 * (P + D) * unknowns_more),
+    };
+    let first_master = n.saturating_sub(E::MASTER_NODES);
+    let is_vector = |a: usize| {
+        let master = a.checked_sub(first_master);
+        master
+            .and_then(|m| masters_vectors.get(m))
+            .copied()
+            .unwrap_or(false)
+    };
+    let origin = gather::<E, D, P, H>(nodes, call.parameters, is_vector, x, &mut [])?;
+    shift_of_row(call.slave_row, &origin, x);
+    let mut stage = Stage {
+        x,
+        reference: &[],
+        multipliers: &unknown,
+        rows: Rows { s, ds },
+        temporaries: Temporaries { u, g, h, row },
+        variation: &mut [],
+        tangential,
+    };
+    Ok(evaluate::<E, R, D, P, H, 1>(call, &mut stage, receiver)?)
+}

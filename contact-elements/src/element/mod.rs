@@ -1,0 +1,28 @@
+//! One element: what the emitted code says about it, and the kernels that evaluate it.
+//!
+//! | file | question |
+//! |---|---|
+//! | `traits` | what does the emitted code tell |
+//! | `receiver` | what goes in besides the nodes, and what comes out |
+//! | `kernel`, `gather` | where do nodes and scratch come from |
+//! | `driver` | in which order are the points evaluated |
+//! | `classify` | open, outside, closed, or why not |
+//! | `edge_side` | on which side are the edges of solids |
+//! | `sliding`, `rolling`, `angle`, `multiplier` | what do friction, moments, the angle of curves, a multiplier add |
+//! | `contraction`, `tangential_contraction`, `rows` | from the coefficients of a point to rows of K |
+
+pub(crate) mod angle;
+pub(crate) mod classify;
+pub(crate) mod contraction;
+pub(crate) mod driver;
+pub(crate) mod edge_side;
+pub(crate) mod gather;
+pub(crate) mod kernel;
+pub(crate) mod multiplier;
+pub(crate) mod receiver;
+pub(crate) mod rolling;
+pub(crate) mod rows;
+pub(crate) mod sliding;
+pub(crate) mod stage;
+pub(crate) mod tangential_contraction;
+pub(crate) mod traits;

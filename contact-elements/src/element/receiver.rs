@@ -1,0 +1,158 @@
+//! What goes into an evaluation besides the nodes, and what comes out.
+
+use crate::point::history::History;
+use crate::point::motion::Rolling;
+use crate::point::values::Status;
+
+/// Which outputs are wanted, and how.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wanted {
+    /// Residual.
+    pub residual: bool,
+    /// Tangent.
+    pub tangent: bool,
+    /// Open or closed as the history says.
+    pub freeze: bool,
+    /// The history holds the projection itself.
+    pub projection_given: bool,
+}
+
+/// Inputs of an evaluation besides the nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Call<'a> {
+    /// Parameters, checked.
+    pub parameters: &'a [f64],
+    /// Accepted history: per point status and projected parameters, with friction the anchor and the slip
+    /// path too, with rolling what [`Rolling`] remembers; none: start at the centre.
+    pub history: Option<History<'a>>,
+    /// Interpolated slaves: shape row and weight.
+    pub slave_row: &'a [f64],
+    /// Wanted outputs.
+    pub wanted: Wanted,
+}
+
+/// What is known of one contact point after an evaluation.
+#[derive(Clone, Copy, Debug)]
+pub struct Report {
+    /// Outcome.
+    pub status: Status,
+    /// 0, or the feature beyond which the projection lies.
+    pub feature: u8,
+    /// Gap [length].
+    pub gap: f64,
+    /// Normal traction.
+    pub traction: f64,
+    /// Weight times Jacobian.
+    pub weight: f64,
+    /// Projected parameters.
+    pub zeta: [f64; 2],
+    /// Unit normal in the global frame; third entry 0 in 2D.
+    pub normal: [f64; 3],
+    /// Newton steps.
+    pub iterations: u32,
+    /// Tangential force along d_1 and d_2, per weight; 0 where there is none.
+    pub tangential: [f64; 2],
+    /// b_1 and b_2 in the global frame; zero where there are fewer.
+    pub tangents: [[f64; 3]; 2],
+    /// Anchor for the next step, where there is friction.
+    pub anchor: [f64; 2],
+    /// Slip path for the next step [length].
+    pub path: f64,
+    /// Multiplier for the next step, where the history carries one.
+    pub multiplier: f64,
+    /// Moments about two curves, where there are any.
+    pub rolling: Rolling,
+}
+
+/// Takes the outputs of an evaluation: dense arrays, strided ones, a sparse matrix.
+pub trait Receiver {
+    /// All of residual and tangent is zero: no point is closed.
+    fn open(&mut self, unknowns: usize);
+    /// Residual, row and column of one unknown are zero: a multiplier of the only point.
+    fn clear(&mut self, unknown: usize);
+    /// Entry (node, component) of the residual; `first`: replaces, else adds.
+    fn force(&mut self, place: (usize, usize), value: f64, first: bool);
+    /// All entries of the residual, which they replace.
+    fn forces(&mut self, forces: &[f64], dimension: usize) {
+        for (node, force) in forces.chunks(dimension).enumerate() {
+            for (component, &value) in force.iter().enumerate() {
+                self.force((node, component), value, true);
+            }
+        }
+    }
+    /// The rows of the tangent one after another, and how far they are apart, where they may be written at once.
+    fn rows(&mut self) -> Option<(&mut [f64], usize)> {
+        None
+    }
+    /// Row `unknown` of the tangent; `first`: replaces, else adds.
+    fn row(&mut self, unknown: usize, row: &[f64], first: bool);
+    /// Adds to the residual of a multiplier: its node and unknown.
+    fn multiplier(&mut self, place: (usize, usize), value: f64);
+    /// Adds to one entry of the tangent.
+    fn coupling(&mut self, row: usize, column: usize, value: f64);
+    /// False where [`Receiver::report`] would do nothing.
+    fn reports(&self) -> bool {
+        true
+    }
+    /// Outcome of point `point`.
+    fn report(&mut self, point: usize, report: &Report);
+    /// Contact energy of the element.
+    fn energy(&mut self, energy: f64);
+}
+
+/// Outcome of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Summary {
+    /// Status of its worst point.
+    pub status: Status,
+    /// Closed points.
+    pub closed: u32,
+}
+
+/// A point that could not be evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// Why.
+    pub status: Status,
+    /// Which point.
+    pub point: usize,
+}
+
+/// An input that cannot be used: which array, which node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InputError {
+    /// A reference coordinate of this node is missing, NaN, infinite or beyond 1e30.
+    Position(usize),
+    /// A displacement of this node is.
+    Displacement(usize),
+    /// Entry of the history.
+    History(usize),
+    /// Entry of the history that no evaluation writes: no status, a projection or anchor far outside, a negative path,
+    /// no regime of rolling, a normal that is no unit vector, a multiplier that pulls.
+    Impossible(usize),
+    /// Entry of the slave row.
+    SlaveRow(usize),
+    /// Edges are to be on the side that a history keeps, and there is none.
+    NoHistory,
+    /// The workspace is too small.
+    Workspace,
+    /// A contact point failed.
+    Point(Failure),
+}
+
+impl From<Failure> for InputError {
+    #[inline(always)]
+    fn from(failure: Failure) -> Self {
+        InputError::Point(failure)
+    }
+}
+
+impl InputError {
+    /// Status of the contact point, where one failed.
+    pub fn status(&self) -> Option<Status> {
+        match self {
+            InputError::Point(failure) => Some(failure.status),
+            _ => None,
+        }
+    }
+}

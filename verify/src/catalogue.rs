@@ -12,7 +12,20 @@ use crate::oracle::number::Number;
 use crate::oracle::pair::{IntegrationPoint, Master, Measure, Row, Slave};
 use crate::oracle::rolling::Rolling;
 use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
-use crate::subject::UnknownName;
+
+/// A name in a declaration that the oracle does not know.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownName(pub String);
+
+impl std::fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "the oracle does not know `{}`: add it to the catalogue or give a template",
+            self.0
+        )
+    }
+}
 
 /// A circle run through clockwise, so that its left normal points outward.
 #[derive(Debug)]

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::interpreted::{self, Interpreted, Mutation, Place};
+use super::interpreted::{self, Interpreted, Mutation, TermSite};
 use super::slopes;
 use super::{Finding, random};
 use crate::configurations::{Configuration, Wanted};
@@ -109,8 +109,8 @@ pub fn prove(subject: &Subject, seed: u64) -> Mutants {
     for case in &cases {
         unchanged(&mut mutants, subject, case);
     }
-    for place in Place::ALL {
-        let Some(program) = interpreted::program(subject, place) else {
+    for site in TermSite::ALL {
+        let Some(program) = interpreted::program(subject, site) else {
             continue;
         };
         for (term, declared) in program.terms.iter().enumerate() {
@@ -119,12 +119,12 @@ pub fn prove(subject: &Subject, seed: u64) -> Mutants {
                 mutants.left_out.push(entry);
                 continue;
             }
-            if let Some(reason) = unused(subject, place, declared.tag) {
+            if let Some(reason) = unused(subject, site, declared.tag) {
                 let entry = (declared.tag.to_string(), reason.to_string());
                 mutants.left_out.push(entry);
                 continue;
             }
-            let changed = |factor| (place, Change { term, factor });
+            let changed = |factor| (site, Change { term, factor });
             if let Some(reason) = may_vanish(declared.tag)
                 && FACTORS
                     .iter()
@@ -183,7 +183,7 @@ fn changes(subject: &Subject, cases: &[Case], mutation: Mutation) -> bool {
 }
 
 /// Why a term of a program that elements share does nothing in this one.
-fn unused(subject: &Subject, place: Place, tag: &str) -> Option<&'static str> {
+fn unused(subject: &Subject, site: TermSite, tag: &str) -> Option<&'static str> {
     const SLOPES: [&str; 6] = [
         "law-slope",
         "bound-by-pressure",
@@ -200,8 +200,11 @@ fn unused(subject: &Subject, place: Place, tag: &str) -> Option<&'static str> {
         return Some("beside a multiplier the energy is N²/(2 N')");
     }
     let rolls = matches!(
-        place,
-        Place::RollingLaw | Place::RollingSliding | Place::RollingResidual | Place::RollingTangent
+        site,
+        TermSite::RollingLaw
+            | TermSite::RollingSliding
+            | TermSite::RollingResidual
+            | TermSite::RollingTangent
     );
     let law = match subject.description.rolling {
         Some(rolling) if rolls => rolling.law,

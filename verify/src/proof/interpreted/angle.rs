@@ -4,8 +4,9 @@
 use contact_elements::program::{AngleDescription, SlaveDescription};
 use contact_elements::runtime::Receiver;
 
+use super::assembly::Assembly;
 use super::rows::Point;
-use super::{Assembly, Place};
+use super::site::TermSite;
 use crate::interpret::interpret;
 
 /// Entries of a form: vectors of s_A, of both rows N_A,1 and of both rows N_A,11.
@@ -44,7 +45,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         inputs.extend(&self.parameters[angle.window..angle.window + 2]);
         let position = interpret(&angle.position, &inputs, None);
         let position = [position[0].clamp(0.0, 1.0), position[1]];
-        let weight = interpret(&angle.weight, &position, self.change(Place::AngleWeight));
+        let weight = interpret(&angle.weight, &position, self.change(TermSite::AngleWeight));
         let load = [law[0], law[2]];
         for value in law.iter_mut() {
             *value *= weight[0];
@@ -77,7 +78,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         let [traction, energy] = blend.load;
         let mut of_residual = inputs.clone();
         of_residual.extend([slope, energy]);
-        let change = self.change(Place::AngleResidual);
+        let change = self.change(TermSite::AngleResidual);
         let values = interpret(&angle.residual, &of_residual, change);
         let rows = self.angle_rows(&blend, point);
         for (i, entry) in self.form(&values, &rows).into_iter().enumerate() {
@@ -101,7 +102,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         let Some(program) = &angle.tangent else {
             return;
         };
-        let values = interpret(program, inputs, self.change(Place::AngleTangent));
+        let values = interpret(program, inputs, self.change(TermSite::AngleTangent));
         let forms: Vec<Vec<f64>> = values
             .chunks_exact(FORM)
             .map(|form| self.form(form, rows))

@@ -6,8 +6,9 @@ use contact_elements::program::{
 };
 use contact_elements::runtime::Receiver;
 
+use super::assembly::Assembly;
 use super::rows::Point;
-use super::{Assembly, Place};
+use super::site::TermSite;
 use crate::interpret::interpret;
 
 /// What the normal contact of the point hands over.
@@ -102,7 +103,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         let program = self.subject.description.programs.frame.as_ref();
         let values = program.map_or(vec![], |frame| interpret(frame, &inputs, None));
         let (s, frame) = (values[..P].to_vec(), values[P..P + P * P].to_vec());
-        let places = [Place::Friction, Place::Sliding];
+        let places = [TermSite::Friction, TermSite::Sliding];
         let own = self.subject.description.layout.tangential;
         let load = (-contact.traction, path, contact.slips[0]);
         let force = self.force_of((law, own, places), &s, load);
@@ -122,7 +123,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
     /// t, ∂t/∂s, ∂t/∂p and the stored energy.
     pub(super) fn force_of(
         &self,
-        (law, own, [friction, sliding]): (&TangentialLawPrograms, usize, [Place; 2]),
+        (law, own, [friction, sliding]): (&TangentialLawPrograms, usize, [TermSite; 2]),
         s: &[f64],
         (pressure, path, slips): (f64, f64, bool),
     ) -> (Vec<f64>, Vec<f64>, Vec<f64>, f64) {
@@ -206,7 +207,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
     ) {
         let mut inputs = self.contact_inputs(point, contact, &state.frame);
         inputs.extend_from_slice(&state.force);
-        let values = interpret(program, &inputs, self.change(Place::TangentialResidual));
+        let values = interpret(program, &inputs, self.change(TermSite::TangentialResidual));
         let force = self
             .placement
             .vector_to_global(&std::array::from_fn(|k| values[k]));
@@ -239,7 +240,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         if self.subject.description.axis == AxisDescription::Slave {
             inputs.extend_from_slice(&state.tangent);
         }
-        let values = interpret(program, &inputs, self.change(Place::TangentialTangent));
+        let values = interpret(program, &inputs, self.change(TermSite::TangentialTangent));
         let mut values = values.as_slice();
         let mut take = |count: usize| {
             let (head, tail) = values.split_at(count);

@@ -3,9 +3,10 @@
 use contact_elements::program::RollingDescription;
 use contact_elements::runtime::Receiver;
 
+use super::assembly::Assembly;
 use super::friction::{Contact, State};
 use super::rows::Point;
-use super::{Assembly, Place};
+use super::site::TermSite;
 use crate::interpret::interpret;
 
 /// Moments and their slopes.
@@ -39,7 +40,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         inputs.extend(self.third(contact.zeta));
         inputs.extend(self.directors(rolling));
         inputs.extend(&moments.value);
-        let change = self.change(Place::RollingResidual);
+        let change = self.change(TermSite::RollingResidual);
         let values = interpret(&rolling.residual, &inputs, change);
         for (force, share) in state.force.iter_mut().zip(&values) {
             *force += share;
@@ -57,7 +58,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         };
         inputs.extend(moments.stiffness.iter().chain(&moments.by_pressure));
         inputs.push(contact.slope);
-        let values = interpret(program, &inputs, self.change(Place::RollingTangent));
+        let values = interpret(program, &inputs, self.change(TermSite::RollingTangent));
         let forms: Vec<Vec<f64>> = values
             .chunks_exact(FORM)
             .map(|form| self.motion(form, point, &third))
@@ -109,7 +110,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             let law = (
                 rolling.law,
                 rolling.layout.law,
-                [Place::RollingLaw, Place::RollingSliding],
+                [TermSite::RollingLaw, TermSite::RollingSliding],
             );
             let load = (-contact.traction, own[2 + c], contact.slips[1 + c]);
             let (value, stiffness, by_pressure, energy) = self.force_of(law, &[turned], load);

@@ -2,7 +2,7 @@
 
 use contact_elements::program::{GeometryPrograms, MasterDescription, SlaveDescription};
 
-use super::Assembly;
+use super::assembly::Assembly;
 use crate::interpret::interpret;
 
 /// Rows and vectors of one point.

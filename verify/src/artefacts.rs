@@ -23,15 +23,15 @@ pub fn generated_sources(output: &Path) -> Result<Sizes, Box<dyn std::error::Err
     Ok(sizes)
 }
 
-/// Where the C library's files lie.
-pub struct Places {
+/// Where the files of the C library lie.
+pub struct Artefacts {
     shared: PathBuf,
     archive: PathBuf,
     include: PathBuf,
     generated: PathBuf,
 }
 
-impl fmt::Display for Places {
+impl fmt::Display for Artefacts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "shared library     {}", self.shared.display())?;
         writeln!(f, "static library     {}", self.archive.display())?;
@@ -41,7 +41,7 @@ impl fmt::Display for Places {
 }
 
 /// Builds the C library and copies it with its headers to `output`.
-pub fn c_library(output: &Path) -> Result<Places, Box<dyn std::error::Error>> {
+pub fn c_library(output: &Path) -> Result<Artefacts, Box<dyn std::error::Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_string());
     println!("building the C library");
@@ -60,27 +60,30 @@ pub fn c_library(output: &Path) -> Result<Places, Box<dyn std::error::Error>> {
         return Err("the C library could not be built, see the messages above".into());
     }
     let built = built_files(&String::from_utf8_lossy(&messages.stdout));
-    let places = Places {
+    let artefacts = Artefacts {
         shared: output.join("lib/libcontact_elements.so"),
         archive: output.join("lib/libcontact_elements.a"),
         include: output.join("include"),
         generated: output.join("generated"),
     };
     std::fs::create_dir_all(output.join("lib"))?;
-    std::fs::create_dir_all(&places.include)?;
-    for (ending, target) in [(".so", &places.shared), (".a", &places.archive)] {
+    std::fs::create_dir_all(&artefacts.include)?;
+    for (ending, target) in [(".so", &artefacts.shared), (".a", &artefacts.archive)] {
         if let Some(file) = built.iter().find(|file| file.ends_with(ending)) {
             std::fs::copy(file, target)?;
         }
     }
-    std::fs::copy(&places.shared, output.join("lib/libcontact_elements.so.1"))?;
+    std::fs::copy(
+        &artefacts.shared,
+        output.join("lib/libcontact_elements.so.1"),
+    )?;
     for entry in std::fs::read_dir(root.join("contact-elements/include"))? {
         let path = entry?.path();
         if let Some(name) = path.file_name() {
-            std::fs::copy(&path, places.include.join(name))?;
+            std::fs::copy(&path, artefacts.include.join(name))?;
         }
     }
-    Ok(places)
+    Ok(artefacts)
 }
 
 /// File names in cargo's messages about the C library.

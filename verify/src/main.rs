@@ -1,15 +1,15 @@
 //! Generates everything, proves it, prints the certificate and where the libraries and headers lie.
 #![forbid(unsafe_code)]
 
-mod build;
+mod artefacts;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 use contact_verify::certify::{Extent, certify};
-use contact_verify::projections::{self, Length};
-use contact_verify::stress;
+use contact_verify::measure::projections::{self, Length};
+use contact_verify::measure::stress;
 use contact_verify::subject::{self, Subject};
 
 /// Generates the contact elements, builds the C library and proves every element.
@@ -99,11 +99,11 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
-    let sizes = build::generated_sources(&options.output)?;
-    let places = if options.no_library {
+    let sizes = artefacts::generated_sources(&options.output)?;
+    let artefacts = if options.no_library {
         None
     } else {
-        Some(build::c_library(&options.output)?)
+        Some(artefacts::c_library(&options.output)?)
     };
     let subjects = subjects(&options.element)?;
     let certificate = certify(
@@ -126,8 +126,8 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
     let json = options.output.join("certificate.json");
     std::fs::write(&json, serde_json::to_string_pretty(&certificate)?)?;
     println!("certificate        {}", json.display());
-    if let Some(places) = places {
-        print!("{places}");
+    if let Some(artefacts) = artefacts {
+        print!("{artefacts}");
     }
     Ok(certificate.failed() == 0)
 }

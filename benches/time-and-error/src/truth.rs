@@ -2,8 +2,8 @@
 
 use contact_verify::oracle::octuple::Octuple;
 use contact_verify::oracle::pair::Pair;
-use contact_verify::stress::exact;
-use contact_verify::stress::truth::{State, evaluate};
+use contact_verify::measure::stress::exact;
+use contact_verify::measure::stress::truth::{State, evaluate};
 use num_traits::Signed;
 
 use crate::Failure;
@@ -23,7 +23,7 @@ impl Truth {
     pub fn new(pair: &Pair, positions: &[f64], start: &[[f64; 2]]) -> Result<Self, Failure> {
         let state = State {
             pair,
-            nodes: exact(positions, pair.dimension),
+            nodes: exact::nodes(positions, pair.dimension),
             start,
             friction: &[],
             nudge: [0.0; 2],

@@ -4,6 +4,7 @@
 //! The anchor is placed relative to the projection that the oracle has found: along a random
 //! direction of the tangent plane, as far as gives the wanted ratio of trial traction to bound.
 
+use super::margin::LEAST_MARGIN;
 use super::random::Stream;
 use super::recipe::Freedom;
 use super::rolling;
@@ -20,8 +21,6 @@ use crate::oracle::vector::{add, constant, dot, scale};
 /// Least slip of a point that slips, in sizes: the direction of shorter ones has too few digits
 /// for the tangent.
 const LEAST_SLIP: f64 = 2e-2;
-/// Least distance of the utilisation from one: both sides must agree on the status.
-pub(super) const LEAST_MARGIN: f64 = 2e-10;
 
 /// How a contact point is loaded.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -12,6 +12,7 @@ pub mod build;
 pub mod edge_cases;
 pub mod flat;
 pub mod friction;
+mod margin;
 pub mod motion;
 pub mod multipliers;
 pub mod random;

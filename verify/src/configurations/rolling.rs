@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use super::Configuration;
-use super::friction::LEAST_MARGIN;
+use super::margin::LEAST_MARGIN;
 use super::random::Stream;
 use crate::oracle::kinematics::{Frame, Nodes};
 use crate::oracle::rolling::{Rolling, RollingHistory, reference_share};

@@ -274,3 +274,6 @@ fn aligned(mut table: Table) -> Table {
     }
     table
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,7 @@
 //! Projection of random points and curves onto strongly deformed geometries: globally, from the centre of the domain,
 //! and from the foot of a neighbouring state; every answer is judged by the oracle's positions alone.
 
+mod effort;
 mod judge;
 mod local;
 mod states;
@@ -12,43 +13,11 @@ use serde::Serialize;
 use super::Finding;
 use crate::configurations::Configuration;
 use crate::subject::Subject;
+use effort::add;
+pub use effort::{Effort, Extent};
 use judge::Judge;
 pub use local::Local;
 use states::{States, neighbour};
-
-/// How many of something were needed, over many projections.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Effort {
-    /// Projections.
-    pub count: u64,
-    /// All together.
-    pub sum: u64,
-    /// The worst projection.
-    pub most: u64,
-    /// Projections that needed at most three.
-    pub few: u64,
-}
-
-impl Effort {
-    fn add(&mut self, value: u64) {
-        self.count += 1;
-        self.sum += value;
-        self.most = self.most.max(value);
-        self.few += u64::from(value <= 3);
-    }
-
-    fn merge(&mut self, other: &Self) {
-        self.count += other.count;
-        self.sum += other.sum;
-        self.most = self.most.max(other.most);
-        self.few += other.few;
-    }
-
-    /// 0 without projections.
-    pub fn mean(&self) -> f64 {
-        self.sum as f64 / self.count.max(1) as f64
-    }
-}
 
 /// What was found for one element.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -81,28 +50,6 @@ impl Global {
         self.finding.merge(other.finding);
         self
     }
-}
-
-/// Adds counters.
-fn add(counters: &mut [u64], others: &[u64]) {
-    for (counter, other) in counters.iter_mut().zip(others) {
-        *counter += other;
-    }
-}
-
-/// How much is tried.
-#[derive(Clone, Copy, Debug)]
-pub struct Extent {
-    /// The first family.
-    pub first: u64,
-    /// Families of states.
-    pub families: u64,
-    /// States of a family, disturbances of one random state: drawing that takes longer than most projections.
-    pub family: u64,
-    /// Every how many-th is compared with a grid.
-    pub compared: u64,
-    /// See [`crate::configurations::Generator`].
-    pub seed: u64,
 }
 
 /// Projects in many states; `None` where nothing is projected.
@@ -209,6 +156,3 @@ fn project_all(
     };
     project(descriptor, &query, results, history).code
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,7 +1,7 @@
 //! The small version of `contact-verify projections`.
 
-use super::{Extent, Global, prove};
-use crate::projections::representatives;
+use super::representatives;
+use crate::proof::global::{Extent, Global, prove};
 use crate::subject::built_in;
 
 #[test]

@@ -1,12 +1,13 @@
 //! Numerical stability: one parameter at a time is driven from harmless to extreme, and the errors of residual
 //! and tangent are measured in units of their *spread*, the change that half a unit in the last place of every
-//! coordinate makes ([mod@measure]). Truth and spread are evaluated in octuple precision ([`truth`]).
+//! coordinate makes ([`errors`]). Truth and spread are evaluated in octuple precision ([`truth`]).
 //!
 //! [`sweeps`] lists what is swept, [`scene`] makes the states, [`report`] writes curves, tables and diagrams.
 
+pub mod errors;
+pub mod exact;
 pub mod friction;
 pub mod kinematics;
-pub mod measure;
 pub mod report;
 pub mod scene;
 pub mod sweeps;
@@ -15,9 +16,8 @@ pub mod truth;
 use rayon::prelude::*;
 
 use crate::configurations::Stream;
-use crate::oracle::octuple::Octuple;
 use crate::subject::Subject;
-use measure::{Measurement, measure};
+use errors::{Measurement, measure};
 use scene::Scene;
 use sweeps::{Series, Sweep};
 
@@ -122,12 +122,6 @@ fn curve(
             (value, measured)
         })
         .collect()
-}
-
-/// Nodes of `dimension` coordinates each, as they are.
-pub fn exact(positions: &[f64], dimension: usize) -> Vec<[Octuple; 3]> {
-    let node = |v: &[f64]| std::array::from_fn(|c| Octuple::from(v.get(c).copied().unwrap_or(0.0)));
-    positions.chunks(dimension).map(node).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 use contact_elements::runtime::Status;
 
-use super::measure::{Verdict, call, judge};
+use super::errors::{Verdict, call, judge};
 use super::report::Summary;
 use super::scene::{Case, Load};
 use super::sweeps::SWEEPS;

@@ -4,8 +4,8 @@ use contact_elements::abi::{OUTPUT_SIZE, Projection};
 use contact_elements::runtime::Status;
 use serde::Serialize;
 
+use super::effort::{Effort, add};
 use super::judge::Judge;
-use super::{Effort, add};
 use crate::configurations::Configuration;
 use crate::subject::{Answer, Input, Subject, Wanted};
 use crate::tolerance::FOOT;

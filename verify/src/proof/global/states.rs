@@ -1,6 +1,6 @@
 //! States for projections: well-conditioned ones of the generator, torn apart.
 
-use super::Extent;
+use super::effort::Extent;
 use crate::configurations::{Configuration, Generator, Stream, Wanted};
 use crate::proof::random;
 use crate::subject::Subject;

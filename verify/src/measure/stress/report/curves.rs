@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::stress::Outcome;
-use crate::stress::measure::{Deviation, Verdict};
+use crate::measure::stress::Outcome;
+use crate::measure::stress::errors::{Deviation, Verdict};
 
 /// Writes `<sweep>.csv`.
 pub fn write(outcome: &Outcome, folder: &Path) -> Result<(), csv::Error> {

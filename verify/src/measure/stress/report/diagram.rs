@@ -6,8 +6,8 @@ use std::path::Path;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::stress::measure::{Measurement, Verdict};
-use crate::stress::{Curve, Outcome};
+use crate::measure::stress::errors::{Measurement, Verdict};
+use crate::measure::stress::{Curve, Outcome};
 use crate::tolerance::REFERENCE_SPREADS;
 
 type Panel<'a> = DrawingArea<SVGBackend<'a>, Shift>;

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::measure::{Measurement, Verdict};
+use super::errors::{Measurement, Verdict};
 use super::sweeps::{SWEEPS, Series};
 use super::{Extent, Outcome, run as sweep};
 use crate::subject::Subject;

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use super::{Summary, table};
-use crate::stress::Outcome;
+use crate::measure::stress::Outcome;
 
 const STYLE: &str = "body{font-family:sans-serif;margin:2em}td,th{padding:.2em .7em;text-align:left;\
 border-bottom:1px solid #ccc}.FAIL{color:#b00;font-weight:bold}li{color:#b00}";

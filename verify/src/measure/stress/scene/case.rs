@@ -3,6 +3,9 @@
 use num_dual::DualNum;
 
 use super::Load;
+use crate::measure::stress::exact;
+use crate::measure::stress::kinematics::Point;
+use crate::measure::stress::truth::{self, State};
 use crate::oracle::law::Law;
 use crate::oracle::octuple::Octuple;
 use crate::oracle::pair::Pair;
@@ -10,9 +13,6 @@ use crate::oracle::rolling::RollingHistory;
 use crate::oracle::solve::{Accepted, FrictionHistory};
 use crate::oracle::tangential::TangentialLaw;
 use crate::oracle::vector::{add, dot, scale};
-use crate::stress::exact;
-use crate::stress::kinematics::Point;
-use crate::stress::truth::{self, State};
 
 /// A state as an element is called with it.
 #[derive(Clone, Debug)]
@@ -37,7 +37,7 @@ impl Case {
     pub fn state<'a>(&'a self, start: &'a [[f64; 2]]) -> State<'a> {
         State {
             pair: &self.pair,
-            nodes: exact(&self.positions, self.pair.dimension),
+            nodes: exact::nodes(&self.positions, self.pair.dimension),
             start,
             friction: &self.friction,
             nudge: [0.0; 2],

@@ -2,11 +2,11 @@
 
 use super::{Case, Scene};
 use crate::configurations::Stream;
+use crate::measure::stress::kinematics::Point;
 use crate::oracle::geometry::{Placement, RigidDistance, RigidParametric};
 use crate::oracle::octuple::Octuple;
 use crate::oracle::pair::{GapKind, Master};
 use crate::oracle::vector::{add, cross, dot, scale, sub, unit};
-use crate::stress::kinematics::Point;
 
 impl Scene {
     /// Distance L, with a sign where the gap has one, at which the principal curvature of the master (of the

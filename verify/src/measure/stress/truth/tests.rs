@@ -2,9 +2,9 @@ use num_traits::{Num, Signed};
 
 use super::*;
 use crate::configurations::{Generator, Wanted};
+use crate::measure::stress::exact;
 use crate::oracle::solve;
 use crate::proof::cases;
-use crate::stress::exact;
 use crate::subject;
 use crate::tolerance::{RANDOM, relative_error};
 
@@ -28,7 +28,7 @@ fn all_digits_of_the_reference_cases_are_met() {
         let (start, friction) = ([case.start()], case.friction());
         let state = State {
             pair: &pair,
-            nodes: exact(&case.positions(), pair.dimension),
+            nodes: exact::nodes(&case.positions(), pair.dimension),
             start: &start,
             friction: &friction,
             nudge: [0.0; 2],

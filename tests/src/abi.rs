@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
 
-use contact_generator::header::C_HEADER;
+use contact_generator::header::C_HEADERS;
 
 use crate::compiler;
 use crate::header::structs;
@@ -118,7 +118,7 @@ impl Interface {
 /// Runs a C program that prints offset and size of every field, and every element.
 fn described(library: &Library) -> String {
     let mut fields = String::new();
-    for item in structs(C_HEADER) {
+    for item in C_HEADERS.iter().flat_map(|(_, text)| structs(text)) {
         let name = &item.name;
         for field in &item.fields {
             let _ = writeln!(

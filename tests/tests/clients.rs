@@ -150,6 +150,55 @@ fn fortran_against_the_shared_library() {
     assert_none(failures.collect());
 }
 
+/// With default integers of 8 bytes the include file does not compile, a program with explicit kinds runs, and one that
+/// passes default integers to the module does not compile.
+#[test]
+fn no_fortran_client_takes_integers_of_another_size() {
+    if !available("gfortran", REQUIRE_FORTRAN) {
+        return;
+    }
+    let library = Library::contact_elements();
+    let directory = library.path();
+    let module = workspace("contact-elements/include/contact_elements.f90");
+    let compiler = |source: &Path| {
+        let mut compiler = compiler::fortran(source, directory);
+        compiler.arg("-fdefault-integer-8");
+        compiler
+    };
+    let module = object(compiler(&module), &module, directory);
+    let explicit = client("integers.f90");
+    assert_none(Vec::from_iter(failure(
+        compiler(&explicit),
+        &explicit,
+        &[module],
+        &library.link(),
+    )));
+    let fixed = client("bricks77.f");
+    assert_refused(compiler(&fixed).arg(&fixed), "Division by zero");
+    let loose = directory.join("loose.f90");
+    let text = read(&explicit).replace("integer(i4) ::", "integer ::");
+    std::fs::write(&loose, text).expect("a file");
+    assert_refused(compiler(&loose).arg(&loose), "Type mismatch in argument");
+}
+
+/// The client of this name.
+fn client(name: &str) -> PathBuf {
+    let found = sources(&["f", "f90"])
+        .into_iter()
+        .find(|path| self::name(path) == name);
+    found.unwrap_or_else(|| panic!("no client {name}"))
+}
+
+/// The compiler says this and makes no object.
+fn assert_refused(compiler: &mut Command, message: &str) {
+    let output = run(compiler.args(["-fsyntax-only"]));
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        !output.status.success() && said.contains(message),
+        "{compiler:?}:\n{said}"
+    );
+}
+
 fn is_program(text: &str) -> bool {
     text.lines().any(|line| line.starts_with("program "))
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use contact_generator::header::C_HEADER;
+use contact_generator::header::C_HEADERS;
 use contact_tests::compiler;
 use contact_tests::library::{Library, cargo};
 use contact_tests::process::succeed;
@@ -17,7 +17,9 @@ fn declared_once_used_from_c() {
     let directory = workspace("tests/user-crate");
     let library = Library::of_crate(&directory.join("Cargo.toml"), target(), "rail");
     let include = directory.join("include");
-    assert_eq!(read(&include.join("contact_elements.h")), C_HEADER);
+    for (name, text) in C_HEADERS {
+        assert_eq!(read(&include.join(name)), text);
+    }
     assert!(read(&include.join("rail.inc")).contains("PARAMETER (RAIL_POINT_QUAD8 = 0)"));
 
     let archive = library.archive().display().to_string();

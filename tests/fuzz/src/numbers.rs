@@ -1,10 +1,16 @@
-//! The numbers of `contact_elements.h`, read from its text: what the library may return.
+//! The numbers of the C headers, read from their text: what the library may return.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// The manual.
-pub const HEADER: &str = include_str!("../../../contact-elements/include/contact_elements.h");
+pub const HEADER: &str = concat!(
+    include_str!("../../../contact-elements/include/contact_elements_call.h"),
+    include_str!("../../../contact-elements/include/contact_elements_batch.h"),
+    include_str!("../../../contact-elements/include/contact_elements_pairs.h"),
+    include_str!("../../../contact-elements/include/contact_elements_table.h"),
+    include_str!("../../../contact-elements/include/contact_elements_f77.h"),
+);
 
 /// The documented numbers, each with its name.
 pub static NUMBERS: LazyLock<Numbers> = LazyLock::new(|| Numbers::read(HEADER));

@@ -9,9 +9,10 @@ use crate::oracle::geometry::{
 };
 use crate::oracle::law::Law;
 use crate::oracle::number::Number;
+use crate::oracle::pair::Rolling;
+use crate::oracle::pair::{Axis, Tangential};
 use crate::oracle::pair::{IntegrationPoint, Master, Measure, Row, Slave};
-use crate::oracle::rolling::Rolling;
-use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
+use crate::oracle::tangential::TangentialLaw;
 
 /// A name in a declaration that the oracle does not know.
 #[derive(Clone, Debug, PartialEq, Eq)]

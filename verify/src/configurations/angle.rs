@@ -1,9 +1,10 @@
 //! Windows of angles of a state: most of them with the angle inside, so that the contact is weighted.
 
-use super::Configuration;
 use super::random::Stream;
-use crate::oracle::angle::{Angle, sine_squared};
+use super::state::Configuration;
+use crate::oracle::angle::sine_squared;
 use crate::oracle::kinematics::Frame;
+use crate::oracle::pair::Angle;
 use crate::oracle::solve::{PointReport, PointStatus};
 
 /// Least sin²θ of a state: smaller angles keep too few digits to judge by.

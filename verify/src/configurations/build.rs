@@ -4,10 +4,10 @@
 //! shifted so that the relative position at the target is the wanted gap along the normal; for
 //! states outside, the target lies on the boundary and the slave is moved on beyond it.
 
-use super::Wanted;
 use super::flat;
 use super::random::Stream;
 use super::recipe::Recipe;
+use super::state::Wanted;
 use crate::oracle::geometry::{Region, Shape};
 use crate::oracle::kinematics::{Frame, Relative};
 use crate::oracle::pair::{GapKind, Master, Pair, Slave};

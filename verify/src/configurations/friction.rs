@@ -8,14 +8,14 @@ use super::margin::LEAST_MARGIN;
 use super::random::Stream;
 use super::recipe::Freedom;
 use super::rolling;
-use super::{Configuration, Wanted};
+use super::state::{Configuration, Wanted};
+use crate::oracle::history::RollingHistory;
+use crate::oracle::history::{Accepted, FrictionHistory};
 use crate::oracle::kinematics::Frame;
-use crate::oracle::rolling::RollingHistory;
-use crate::oracle::solve::{
-    self, Accepted, FrictionHistory, FrictionReport, PointReport, PointStatus, State,
-};
+use crate::oracle::pair::{Axis, Tangential};
+use crate::oracle::solve::{self, FrictionReport, PointReport, PointStatus, State};
+use crate::oracle::tangential::TangentialLaw;
 use crate::oracle::tangential::return_map::{Loading, Regime, utilisation};
-use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
 use crate::oracle::vector::{add, constant, dot, scale};
 
 /// Least slip of a point that slips, in sizes: the direction of shorter ones has too few digits

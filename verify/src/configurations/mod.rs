@@ -10,6 +10,7 @@
 mod angle;
 pub mod build;
 pub mod edge_cases;
+mod error;
 pub mod flat;
 pub mod friction;
 mod margin;
@@ -18,108 +19,17 @@ pub mod multipliers;
 pub mod random;
 pub mod recipe;
 mod rolling;
+mod state;
 
-use std::fmt;
-
+pub use error::GenerateError;
 pub use random::Stream;
 pub use recipe::Freedom;
+pub use state::{Configuration, Wanted};
 
-use crate::oracle::OracleError;
 use crate::oracle::pair::Pair;
-use crate::oracle::solve::{self, FrictionHistory, PointReport, PointStatus, Start, State};
+use crate::oracle::solve::{self, PointReport, PointStatus, Start, State};
 use crate::oracle::tangential::TangentialLaw;
 use crate::oracle::tangential::return_map::Regime;
-
-/// The status a state is built for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Wanted {
-    /// One point: closed. Integrated: at least one point closed.
-    Closed,
-    /// One point: open. Integrated: at least one open, none closed.
-    Open,
-    /// One point: beyond an edge or end. Integrated: at least one point outside.
-    Outside,
-    /// With friction. One point: sticks. Integrated: at least one point closed, none slips.
-    Stick,
-    /// With friction. One point: slips. Integrated: at least one point slips.
-    Slip,
-}
-
-impl Wanted {
-    /// Whether a point must be closed.
-    pub fn is_closed(self) -> bool {
-        matches!(self, Self::Closed | Self::Stick | Self::Slip)
-    }
-}
-
-/// A pair at a state.
-#[derive(Debug, Clone)]
-pub struct Configuration {
-    /// The pair with all its numbers.
-    pub pair: Pair,
-    /// X, all unknowns (length).
-    pub reference: Vec<f64>,
-    /// u, all unknowns (length).
-    pub displacement: Vec<f64>,
-    /// A start for each contact point's projection, near the solution but not on it.
-    pub start: Vec<[f64; 2]>,
-    /// Typical size (length): factor by which a problem of size one was scaled.
-    pub size: f64,
-    /// What each contact point remembers; empty without friction.
-    pub friction: Vec<FrictionHistory>,
-    /// What the oracle finds at the contact points.
-    pub points: Vec<PointReport>,
-}
-
-impl Configuration {
-    /// The state, for the oracle.
-    pub fn state(&self) -> State<'_> {
-        State {
-            reference: &self.reference,
-            displacement: &self.displacement,
-            start: Start::Given(&self.start),
-            friction: &self.friction,
-        }
-    }
-
-    /// Current positions `X + u`, all unknowns.
-    pub fn positions(&self) -> Vec<f64> {
-        self.reference
-            .iter()
-            .zip(&self.displacement)
-            .map(|(x, u)| x + u)
-            .collect()
-    }
-}
-
-/// Why no state could be generated.
-#[derive(Debug, Clone, PartialEq)]
-pub enum GenerateError {
-    /// The template is inconsistent.
-    Template(OracleError),
-    /// The pair has no boundary, or no parameter, so nothing is ever outside.
-    NeverOutside,
-    /// The pair has no friction, or a law without bound.
-    NeverSlips,
-    /// No attempt gave the wanted status, well conditioned.
-    Exhausted {
-        /// Attempts made.
-        attempts: usize,
-    },
-}
-
-impl fmt::Display for GenerateError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Template(error) => write!(f, "{error}"),
-            Self::NeverOutside => write!(f, "the pair has no boundary"),
-            Self::NeverSlips => write!(f, "the pair has no friction, or it never slips"),
-            Self::Exhausted { attempts } => write!(f, "no suitable state in {attempts} attempts"),
-        }
-    }
-}
-
-impl std::error::Error for GenerateError {}
 
 /// Makes random states of one pair.
 #[derive(Debug, Clone)]

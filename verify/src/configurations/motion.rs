@@ -1,9 +1,9 @@
 //! Moves, turns and scales a problem of size one as a whole, and splits positions into X + u.
 
-use super::Configuration;
 use super::build::{Built, flat_positions};
 use super::random::Stream;
 use super::recipe::{Freedom, Recipe};
+use super::state::Configuration;
 use crate::oracle::geometry::{Placement, RigidDistance, RigidParametric};
 use crate::oracle::law::Law;
 use crate::oracle::pair::{Master, Pair};

@@ -1,7 +1,7 @@
 //! Multipliers of a state: at, above and below the traction of the law alone, on both sides of the gap.
 
 use super::random::Stream;
-use super::{Configuration, Wanted};
+use super::state::{Configuration, Wanted};
 use crate::oracle::multiplier::Multipliers;
 use crate::oracle::solve;
 

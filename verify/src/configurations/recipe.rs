@@ -1,7 +1,7 @@
 //! The numbers of a pair: weights, radii, placement, law, offsets.
 
-use super::Wanted;
 use super::random::Stream;
+use super::state::Wanted;
 use crate::oracle::geometry::{Interpolation, Placement, RigidDistance, RigidParametric, Shape};
 use crate::oracle::law::Law;
 use crate::oracle::pair::{GapKind, Master, Pair, Slave};

@@ -3,13 +3,16 @@
 
 use std::f64::consts::TAU;
 
-use super::Configuration;
 use super::margin::LEAST_MARGIN;
 use super::random::Stream;
+use super::state::Configuration;
+use crate::oracle::history::RollingHistory;
 use crate::oracle::kinematics::{Frame, Nodes};
-use crate::oracle::rolling::{Rolling, RollingHistory, reference_share};
+use crate::oracle::pair::Rolling;
+use crate::oracle::pair::Tangential;
+use crate::oracle::rolling::reference_share;
 use crate::oracle::solve::{self, PointStatus};
-use crate::oracle::tangential::{Tangential, TangentialLaw};
+use crate::oracle::tangential::TangentialLaw;
 
 /// Least part of a reference direction across the curve, and least turn of a tangent over one unit of its
 /// parameter: below it the angle keeps too few digits.

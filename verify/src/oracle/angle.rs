@@ -6,34 +6,10 @@
 
 use super::kinematics::{Frame, Nodes, Relative};
 use super::number::Base;
-use super::pair::{Pair, Slave};
+use super::pair::{Angle, Slave};
 use super::vector::{cross, dot};
 
-/// Angles at which the contact of two curves acts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Angle {
-    /// Small ones rather than large ones.
-    pub small: bool,
-    /// Where the factor begins and ends to change (rad).
-    pub window: [f64; 2],
-}
-
 impl Angle {
-    /// What makes the window unusable, if anything.
-    pub fn defect(&self, pair: &Pair) -> Option<&'static str> {
-        let [low, high] = self.window;
-        if !(0.0 <= low && low < high && high <= std::f64::consts::FRAC_PI_2) {
-            return Some("a window of angles lies between 0 and a right angle and has a width");
-        }
-        let is_curve = match &pair.slave {
-            Slave::Curve(_) => true,
-            Slave::Fixed { geometry, .. } => geometry.shape.parameters() == 1,
-            Slave::Point | Slave::Rows { .. } => false,
-        };
-        let fits = is_curve && pair.master_parameters() == 1 && pair.dimension == 3;
-        (!fits).then_some("an angle needs two curves in space")
-    }
-
     /// Where `s` lies in the window: 0 at its low end, 1 at its high end.
     pub fn position<D: Base>(&self, s: D) -> D {
         let [low, high] = self.window.map(|angle| angle.sin().powi(2));

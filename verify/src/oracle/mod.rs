@@ -48,6 +48,7 @@
 pub mod angle;
 pub mod error;
 pub mod geometry;
+pub mod history;
 pub mod kinematics;
 pub mod law;
 pub mod multiplier;
@@ -58,10 +59,13 @@ pub mod projection;
 pub mod rolling;
 pub mod solve;
 pub mod tangential;
+mod validate;
 pub mod vector;
 
 #[cfg(test)]
 mod reference_tests;
+#[cfg(test)]
+mod rolling_tests;
 #[cfg(test)]
 mod solve_tests;
 

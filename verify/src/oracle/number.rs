@@ -4,12 +4,15 @@
 //! [`Base::Nested`] number carries a derivative with respect to a parameter on top of a `Base`
 //! number that already carries derivatives with respect to the unknowns.
 
+use std::fmt::Debug;
+
 use num_dual::{Dual, Dual64, DualNum, HyperDual64};
 
-use super::geometry::declared::{DistanceEvaluator, ShapeEvaluator, SurfaceEvaluator};
+use super::geometry::region::Region;
 use super::octuple::Octuple;
 
-/// A number that takes doubles as constants: `f64`, [`Octuple`] or (nested) duals over either, with dispatch to run-time evaluators.
+/// A number that takes doubles as constants: `f64`, [`Octuple`] or (nested) duals over either. It calls the method of an
+/// evaluator that belongs to its type.
 pub trait Number: DualNum<Primitive = f64> + Copy {
     /// Calls the method of a shape evaluator that belongs to this number type.
     fn shape_row(evaluator: &dyn ShapeEvaluator, z: [Self; 2], out: &mut [Self]);
@@ -29,9 +32,66 @@ pub trait Base: Number {
     fn parts(nested: Self::Nested) -> (Self, Self);
 }
 
-macro_rules! number {
-    ($type:ty, $row:ident, $point:ident, $distance:ident) => {
-        impl Number for $type {
+/// Hands every number type, with the names of its methods, to a macro.
+macro_rules! for_every_number {
+    ($callback:ident) => {
+        $callback! {
+            f64, row_f64, point_f64, distance_f64;
+            Dual64, row_dual, point_dual, distance_dual;
+            HyperDual64, row_hyper, point_hyper, distance_hyper;
+            Dual<Dual64>, row_nested_dual, point_nested_dual, distance_nested_dual;
+            Dual<HyperDual64>, row_nested_hyper, point_nested_hyper, distance_nested_hyper;
+            Dual<Dual<Dual64>>, row_twice_nested_dual, point_twice_nested_dual, distance_twice_nested_dual;
+            Dual<Dual<HyperDual64>>, row_twice_nested_hyper, point_twice_nested_hyper, distance_twice_nested_hyper;
+            Octuple, row_octuple, point_octuple, distance_octuple;
+            Dual<Octuple>, row_dual_octuple, point_dual_octuple, distance_dual_octuple;
+            Dual<Dual<Octuple>>, row_nested_octuple, point_nested_octuple, distance_nested_octuple;
+            Dual<Dual<Dual<Octuple>>>, row_twice_nested_octuple, point_twice_nested_octuple, distance_twice_nested_octuple;
+        }
+    };
+}
+pub(super) use for_every_number;
+
+macro_rules! numbers {
+    ($($type:ty, $row:ident, $point:ident, $distance:ident;)*) => {
+        /// A declared shape behind a pointer: one method per number type.
+        pub trait ShapeEvaluator: Debug + Send + Sync {
+            /// Number of nodes.
+            fn node_count(&self) -> usize;
+            /// Number of parameters.
+            fn parameter_count(&self) -> usize;
+            /// Range of the parameters.
+            fn parameter_region(&self) -> Region;
+            /// Whether a node is a position and not a direction.
+            fn node_is_position(&self, node: usize) -> bool;
+            /// Nodes of a typical geometry.
+            fn node_template(&self) -> Vec<[f64; 3]>;
+            $(
+                /// Shape functions at `z`.
+                fn $row(&self, z: [$type; 2], out: &mut [$type]);
+            )*
+        }
+        /// A declared rigid curve or surface behind a pointer: one method per number type.
+        pub trait SurfaceEvaluator: Debug + Send + Sync {
+            /// Number of parameters.
+            fn parameter_count(&self) -> usize;
+            /// Range of the parameters.
+            fn parameter_region(&self) -> Region;
+            /// Parameters from which random states are drawn.
+            fn parameter_window(&self) -> [[f64; 2]; 2];
+            $(
+                /// Position at `z`.
+                fn $point(&self, z: [$type; 2]) -> [$type; 3];
+            )*
+        }
+        /// A declared distance behind a pointer: one method per number type.
+        pub trait DistanceEvaluator: Debug + Send + Sync {
+            $(
+                /// Distance of `x`.
+                fn $distance(&self, x: [$type; 3]) -> $type;
+            )*
+        }
+        $(impl Number for $type {
             #[inline]
             fn shape_row(evaluator: &dyn ShapeEvaluator, z: [Self; 2], out: &mut [Self]) {
                 evaluator.$row(z, out);
@@ -44,55 +104,10 @@ macro_rules! number {
             fn distance(evaluator: &dyn DistanceEvaluator, x: [Self; 3]) -> Self {
                 evaluator.$distance(x)
             }
-        }
+        })*
     };
 }
-number!(f64, row_f64, point_f64, distance_f64);
-number!(Dual64, row_dual, point_dual, distance_dual);
-number!(HyperDual64, row_hyper, point_hyper, distance_hyper);
-number!(
-    Dual<Dual64>,
-    row_nested_dual,
-    point_nested_dual,
-    distance_nested_dual
-);
-number!(
-    Dual<HyperDual64>,
-    row_nested_hyper,
-    point_nested_hyper,
-    distance_nested_hyper
-);
-number!(
-    Dual<Dual<Dual64>>,
-    row_twice_nested_dual,
-    point_twice_nested_dual,
-    distance_twice_nested_dual
-);
-number!(
-    Dual<Dual<HyperDual64>>,
-    row_twice_nested_hyper,
-    point_twice_nested_hyper,
-    distance_twice_nested_hyper
-);
-number!(Octuple, row_octuple, point_octuple, distance_octuple);
-number!(
-    Dual<Octuple>,
-    row_dual_octuple,
-    point_dual_octuple,
-    distance_dual_octuple
-);
-number!(
-    Dual<Dual<Octuple>>,
-    row_nested_octuple,
-    point_nested_octuple,
-    distance_nested_octuple
-);
-number!(
-    Dual<Dual<Dual<Octuple>>>,
-    row_twice_nested_octuple,
-    point_twice_nested_octuple,
-    distance_twice_nested_octuple
-);
+for_every_number!(numbers);
 
 macro_rules! base {
     ($type:ty) => {

@@ -1,13 +1,9 @@
 //! One contact problem as data: slave, master, gap and law.
 
-use super::angle::Angle;
-use super::error::OracleError;
-use super::geometry::{
-    Interpolation, MAX_NODES, Placement, Region, RigidDistance, RigidParametric,
-};
+use super::geometry::{Interpolation, Placement, Region, RigidDistance, RigidParametric};
 use super::law::Law;
 use super::multiplier::{Enforced, Multipliers};
-use super::tangential::Tangential;
+use super::tangential::TangentialLaw;
 
 /// An integration point of a slave.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,6 +95,48 @@ pub enum GapKind {
     /// `(b_y, -b_x)`, times the orientation. For a rigid distance: that distance times the
     /// orientation.
     Signed,
+}
+
+/// Where the first axis of a law with two stiffnesses points; the second is `n × d_1`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Axis {
+    /// Along `w^i b_i`: convected by the master.
+    Convected([f64; 2]),
+    /// Along the slave curve, projected onto the tangent plane.
+    SlaveCurve,
+}
+
+/// The tangential part of a pair.
+#[derive(Debug, Clone)]
+pub struct Tangential {
+    /// The law.
+    pub law: TangentialLaw,
+    /// First axis of a law with two stiffnesses.
+    pub axis: Option<Axis>,
+    /// False: the residual is `T_i dζ^i` with the exact `dζ`. True: with the one on the tangent
+    /// plane, `-a^ij b_j·dr`; such a residual balances moments only at zero distance. The tangent
+    /// is the derivative of the exact residual either way.
+    pub tangent_plane: bool,
+    /// Moments about two curves; none: they roll freely.
+    pub rolling: Option<Rolling>,
+}
+
+/// Moments about two curves.
+#[derive(Debug, Clone)]
+pub struct Rolling {
+    /// Moment against angle: stiffness, and the bound by pressure and path (rad).
+    pub law: TangentialLaw,
+    /// Directions from which the angles are measured, slave's first; none: from the principal normals.
+    pub directors: Option<[[f64; 3]; 2]>,
+}
+
+/// Angles at which the contact of two curves acts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Angle {
+    /// Small ones rather than large ones.
+    pub small: bool,
+    /// Where the factor begins and ends to change (rad).
+    pub window: [f64; 2],
 }
 
 /// One contact problem.
@@ -225,105 +263,26 @@ impl Pair {
             _ => true,
         }
     }
-
-    /// Checks that the description is consistent.
-    pub fn validate(&self) -> Result<(), OracleError> {
-        let fail = |reason: String| Err(OracleError::Pair(reason));
-        if !(2..=3).contains(&self.dimension) {
-            return fail(format!("dimension {} is neither 2 nor 3", self.dimension));
-        }
-        if self.slave_nodes() > MAX_NODES || self.master_nodes() > MAX_NODES {
-            return fail(format!("more than {MAX_NODES} nodes on one side"));
-        }
-        if self.orientation.abs() != 1.0 || !self.r0.is_finite() {
-            return fail("orientation must be +1 or -1 and r0 finite".into());
-        }
-        let codimension = self.dimension as isize - self.parameters() as isize;
-        let by_distance = matches!(self.master, Master::Distance { .. });
-        if codimension < 1 || (by_distance && self.slave_parameters() > 0) {
-            return fail("more projected parameters than the dimension allows".into());
-        }
-        match self.gap {
-            GapKind::Signed if codimension != 1 && !by_distance => {
-                return fail("a signed gap needs codimension one".into());
-            }
-            GapKind::Distance | GapKind::Oriented if by_distance => {
-                return fail("a rigid distance has a sign".into());
-            }
-            _ => {}
-        }
-        self.law.defect().map_or(Ok(()), fail)?;
-        let tangential = self.tangential.as_ref().and_then(|law| law.defect(self));
-        tangential.map_or(Ok(()), |defect| fail(defect.into()))?;
-        let angle = self.angle.and_then(|angle| angle.defect(self));
-        angle.map_or(Ok(()), |defect| fail(defect.into()))?;
-        self.placement()
-            .defect()
-            .map_or(Ok(()), |d| fail(d.into()))?;
-        if let Master::Shape(geometry) = &self.master {
-            check(geometry)?;
-        }
-        self.validate_slave()
-    }
-
-    fn validate_slave(&self) -> Result<(), OracleError> {
-        let fail = |reason: &str| Err(OracleError::Pair(reason.into()));
-        match &self.slave {
-            Slave::Point => Ok(()),
-            Slave::Curve(geometry) => {
-                check(geometry)?;
-                if geometry.shape.parameters() != 1 {
-                    return fail("a slave whose parameter is projected must be a curve");
-                }
-                Ok(())
-            }
-            Slave::Fixed {
-                geometry, points, ..
-            } => {
-                check(geometry)?;
-                if geometry.shape.parameters() >= self.dimension {
-                    return fail("the slave has more parameters than the dimension allows");
-                }
-                let finite = |p: &IntegrationPoint| {
-                    p.weight.is_finite() && p.eta.iter().all(|v| v.is_finite())
-                };
-                if !points.iter().all(finite) {
-                    return fail("integration point not finite");
-                }
-                Ok(())
-            }
-            Slave::Rows { rows, positions } => {
-                let finite = |r: &Row| {
-                    r.weight.is_finite()
-                        && r.shape.len() == positions.len()
-                        && r.shape.iter().all(|v| v.is_finite())
-                };
-                if positions.is_empty() || !rows.iter().all(finite) {
-                    return fail("rows must be finite and as long as the list of nodes");
-                }
-                Ok(())
-            }
-        }
-    }
 }
 
-fn check(geometry: &Interpolation) -> Result<(), OracleError> {
-    if let Some(reason) = geometry.shape.defect() {
-        return Err(OracleError::Pair(reason));
+impl Tangential {
+    /// A law without axes, with the exact residual.
+    pub fn isotropic(law: TangentialLaw) -> Self {
+        Self {
+            law,
+            axis: None,
+            tangent_plane: false,
+            rolling: None,
+        }
     }
-    let Some(weights) = &geometry.weights else {
-        return Ok(());
-    };
-    if weights.len() != geometry.shape.nodes() {
-        return Err(OracleError::Length {
-            what: "weights",
-            expected: geometry.shape.nodes(),
-            found: weights.len(),
-        });
-    }
-    if weights.iter().all(|w| w.is_finite() && *w > 0.0) {
-        Ok(())
-    } else {
-        Err(OracleError::Pair("weights must be positive".into()))
+
+    /// A law with axes, with the exact residual.
+    pub fn orthotropic(law: TangentialLaw, axis: Axis) -> Self {
+        Self {
+            law,
+            axis: Some(axis),
+            tangent_plane: false,
+            rolling: None,
+        }
     }
 }

@@ -12,28 +12,9 @@ use num_dual::{Dual64, DualNum};
 use super::geometry::Interpolation;
 use super::kinematics::{Frame, Nodes};
 use super::number::Base;
-use super::pair::{GapKind, Master, Pair, Slave};
-use super::tangential::TangentialLaw;
+use super::pair::{Master, Rolling, Slave};
 use super::tangential::return_map::Regime;
 use super::vector::{constant, cross, dot, norm, scale, sub, unit};
-
-/// Moments about two curves.
-#[derive(Debug, Clone)]
-pub struct Rolling {
-    /// Moment against angle: stiffness, and the bound by pressure and path (rad).
-    pub law: TangentialLaw,
-    /// Directions from which the angles are measured, slave's first; none: from the principal normals.
-    pub directors: Option<[[f64; 3]; 2]>,
-}
-
-/// What the angles remember of the accepted state.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct RollingHistory {
-    /// Angles without moment (rad).
-    pub anchor: [f64; 2],
-    /// Path rolled so far (rad).
-    pub path: [f64; 2],
-}
 
 /// A moment with its derivative.
 #[derive(Debug, Clone, Copy)]
@@ -53,21 +34,6 @@ pub struct Moment {
 }
 
 impl Rolling {
-    /// Why it does not fit a pair, if it does not.
-    pub(super) fn defect(&self, pair: &Pair) -> Option<&'static str> {
-        let curves = matches!(
-            (&pair.slave, &pair.master),
-            (Slave::Curve(_), Master::Shape(_))
-        );
-        if !curves || pair.gap != GapKind::Distance {
-            return Some("rolling needs two curves at a distance");
-        }
-        if self.law.orthotropic() {
-            return Some("an angle has no axes");
-        }
-        self.law.defect()
-    }
-
     /// The moment at an angle, `frozen` or as it comes.
     pub fn moment(
         &self,
@@ -192,100 +158,4 @@ where
     let (_, slopes) = curve.evaluate([D::nest(z, D::one()), lift(D::zero())], &nodes);
     let parts = slopes[0].map(D::parts);
     (parts.map(|part| part.0), parts.map(|part| part.1))
-}
-
-#[cfg(test)]
-#[allow(clippy::excessive_precision)] // 25 digits, as they were computed
-mod tests {
-    use super::*;
-    use crate::oracle::geometry::{Interpolation, Shape};
-    use crate::oracle::law::Law;
-    use crate::oracle::multiplier::Multipliers;
-    use crate::oracle::solve::{self, Start, State};
-    use crate::oracle::tangential::Tangential;
-    use crate::subject::{self, Input, Wanted};
-
-    /// Nodes of two Hermite curves, and the angles about them, computed with 25 digits by a program that
-    /// shares nothing with this one: principal normal and binormal from the cross products of ρ' and ρ''.
-    const REFERENCE: [([f64; 24], [f64; 2]); 3] = [
-        (
-            [
-                -1.0, 0.1, 0.35, 0.9, 0.2, -0.1, 1.1, -0.05, 0.3, 1.0, -0.3, 0.2, 0.05, -1.0, -0.1,
-                0.1, 1.2, 0.3, -0.1, 0.95, 0.05, -0.2, 0.8, -0.25,
-            ],
-            [2.2158661671100778990379, 2.642438836402442536978623],
-        ),
-        (
-            [
-                -0.8, -0.7, 0.6, 0.7, 0.9, 0.4, 0.9, 0.6, 0.5, 1.1, 0.3, -0.5, 0.9, -0.8, 0.1,
-                -0.6, 1.1, -0.2, -0.7, 0.9, -0.05, -1.0, 0.6, 0.3,
-            ],
-            [0.6320475184389075544725682, 1.20005696549366632071565],
-        ),
-        (
-            [
-                -1.0, 0.2, -0.5, 1.1, 0.3, 0.4, 1.0, 0.1, -0.4, 0.8, -0.2, -0.6, -0.1, -1.1, 0.2,
-                0.4, 1.0, -0.3, 0.15, 1.0, 0.1, -0.3, 1.1, 0.2,
-            ],
-            [-2.739004161079864334862135, -2.144440577364073853663134],
-        ),
-    ];
-
-    fn pair() -> Pair {
-        let curve = || Interpolation::new(Shape::Hermite);
-        let law = |eps_t| TangentialLaw::Coulomb { eps_t, mu: 0.3 };
-        Pair {
-            dimension: 3,
-            slave: Slave::Curve(curve()),
-            master: Master::Shape(curve()),
-            gap: GapKind::Distance,
-            orientation: 1.0,
-            r0: 1.0,
-            law: Law::Penalty { eps_n: 100.0 },
-            tangential: Some(Tangential {
-                rolling: Some(Rolling {
-                    law: law(10.0),
-                    directors: None,
-                }),
-                ..Tangential::isotropic(law(50.0))
-            }),
-            angle: None,
-            multipliers: Multipliers::None,
-        }
-    }
-
-    #[test]
-    fn angles_of_reference_curves() {
-        let subjects = subject::built_in().expect("known names");
-        let mut subjects = subjects.iter();
-        let element = subjects.find(|subject| subject.name() == "HermiteHermiteBeamsRolling");
-        let element = element.expect("a built-in element");
-        for (x, expected) in &REFERENCE {
-            let pair = pair();
-            let state = State {
-                reference: x,
-                displacement: &[0.0; 24],
-                start: Start::Given(&[[0.1, -0.1]]),
-                friction: &[],
-            };
-            let report = &solve::reports(&pair, &state).expect("a state")[0];
-            let found = report.friction.and_then(|friction| friction.rolling);
-            let found = found.expect("a closed point").angle;
-            let answer = element.call(
-                &Input {
-                    reference: x,
-                    displacement: &[0.0; 24],
-                    parameters: &element.parameters(&pair),
-                    history: &element.history(&[[0.1, -0.1]], &[], &Multipliers::None),
-                    slave_row: &[],
-                    multipliers: &[],
-                },
-                Wanted::BOTH,
-            );
-            for c in 0..2 {
-                assert!((found[c] - expected[c]).abs() < 1e-13, "{found:?}");
-                assert!((answer.output[19 + c] - expected[c]).abs() < 1e-13);
-            }
-        }
-    }
 }

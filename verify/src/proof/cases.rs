@@ -3,12 +3,13 @@
 use serde::Deserialize;
 
 use crate::oracle::geometry::{Interpolation, Shape};
+use crate::oracle::history::RollingHistory;
+use crate::oracle::history::{Accepted, FrictionHistory};
 use crate::oracle::law::Law;
 use crate::oracle::multiplier::Multipliers;
+use crate::oracle::pair::{Axis, Tangential};
 use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Slave};
-use crate::oracle::rolling::RollingHistory;
-use crate::oracle::solve::{Accepted, FrictionHistory};
-use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
+use crate::oracle::tangential::TangentialLaw;
 
 /// The file of cases.
 #[derive(Debug, Deserialize)]

@@ -1,21 +1,18 @@
 //! Tables against the emitted code (bit for bit) and against duals (derivatives).
 
+mod inputs;
 mod sliding;
 
 use contact_elements::program::{
     GeometryPrograms, LawPrograms, MasterDescription, Program, SlaveDescription,
     TangentialLawPrograms,
 };
-use num_dual::Dual64;
 
 use super::Finding;
-use crate::configurations::Stream;
 use crate::interpret::interpret;
 use crate::subject::Subject;
 use crate::tolerance::{DERIVATIVES, relative_error};
-
-/// Inputs tried per program.
-const TRIES: u64 = 50;
+use inputs::{TRIES, derivative, inputs};
 
 /// The geometries of the built-in library and of the subjects, each once.
 fn geometries(subjects: &[Subject]) -> Vec<&'static GeometryPrograms> {
@@ -131,16 +128,6 @@ pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
     finding
 }
 
-/// Random inputs in (0.2, 0.8): inside every parameter domain, away from every singularity.
-fn inputs(program: &Program, seed: u64, index: u64) -> Vec<f64> {
-    let mut stream = Stream::new(seed, index, 77);
-    program
-        .inputs
-        .iter()
-        .map(|_| stream.uniform(0.2, 0.8))
-        .collect()
-}
-
 fn bits(finding: &mut Finding, owner: &str, program: &Program, seed: u64) {
     for index in 0..TRIES {
         let inputs = inputs(program, seed, index);
@@ -159,19 +146,6 @@ fn bits(finding: &mut Finding, owner: &str, program: &Program, seed: u64) {
             )),
         }
     }
-}
-
-/// Values over duals seeded in input `k`, and the derivative part of every output.
-fn derivative(program: &Program, inputs: &[f64], k: usize) -> Vec<f64> {
-    let duals: Vec<Dual64> = inputs
-        .iter()
-        .enumerate()
-        .map(|(i, &value)| Dual64::new(value, if i == k { 1.0 } else { 0.0 }))
-        .collect();
-    interpret(program, &duals, None)
-        .iter()
-        .map(|dual| dual.eps)
-        .collect()
 }
 
 /// Number of outputs whose names begin with `prefix_`.
@@ -308,7 +282,7 @@ mod tests {
     /// The duals see a derivative that is off: 2 x against the slope of x².
     #[test]
     fn duals_carry_derivatives() {
-        let dual = Dual64::new(3.0, 1.0);
+        let dual = num_dual::Dual64::new(3.0, 1.0);
         assert_eq!(DualNum::powi(&dual, 2).eps, 6.0);
     }
 }

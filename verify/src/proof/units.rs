@@ -6,9 +6,9 @@ use contact_elements::program::{GeometryPrograms, MasterDescription};
 use contact_elements::runtime::Status;
 
 use crate::configurations::Configuration;
+use crate::oracle::history::FrictionHistory;
 use crate::oracle::multiplier::Multipliers;
 use crate::oracle::pair::{Measure, Pair, Slave};
-use crate::oracle::solve::FrictionHistory;
 use crate::subject::{Answer, Input, Subject, Wanted};
 use crate::tolerance::{UNITS, relative_error};
 

@@ -2,9 +2,9 @@
 
 use super::Subject;
 use crate::configurations::Configuration;
+use crate::oracle::history::RollingHistory;
+use crate::oracle::history::{Accepted, FrictionHistory};
 use crate::oracle::multiplier::Multipliers;
-use crate::oracle::rolling::RollingHistory;
-use crate::oracle::solve::{Accepted, FrictionHistory};
 
 impl Subject {
     /// The oracle's start and what it remembers as the element's history: per point status and projected

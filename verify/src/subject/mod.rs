@@ -10,8 +10,8 @@ use contact_elements::program::ElementDescription;
 use contact_elements::runtime::Enforcement;
 
 use crate::catalogue::{self, CIRCLE_RADIUS, UnknownName};
-use crate::oracle::angle::Angle;
 use crate::oracle::multiplier::Multipliers;
+use crate::oracle::pair::Angle;
 use crate::oracle::pair::{GapKind, Pair};
 
 /// An element under test.

@@ -5,8 +5,9 @@ use contact_elements::program::SlaveDescription;
 use super::Subject;
 use crate::oracle::geometry::{Placement, RigidDistance, RigidParametric};
 use crate::oracle::law::Law;
+use crate::oracle::pair::Axis;
 use crate::oracle::pair::{Master, Pair, Slave};
-use crate::oracle::tangential::{Axis, TangentialLaw};
+use crate::oracle::tangential::TangentialLaw;
 
 impl Subject {
     /// The element's parameter list for a pair's numbers.

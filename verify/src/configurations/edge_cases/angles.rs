@@ -1,8 +1,8 @@
 //! Beams at large and at small angles: parallel, nearly so, crossing, touching.
 
-use super::{EdgeCase, Expected, pair, shape};
-use crate::oracle::angle::Angle;
+use super::case::{EdgeCase, Expected, pair, shape};
 use crate::oracle::geometry::{Interpolation, Shape};
+use crate::oracle::pair::Angle;
 use crate::oracle::pair::{GapKind, IntegrationPoint, Measure, Slave};
 
 const LINE: [[f64; 3]; 2] = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]];

@@ -1,6 +1,6 @@
 //! Points, and points against curves, and curves against curves.
 
-use super::{EdgeCase, Expected, pair, shape};
+use super::case::{EdgeCase, Expected, pair, shape};
 use crate::oracle::geometry::{Feature, Interpolation, Shape};
 use crate::oracle::pair::{GapKind, Master, Slave};
 

@@ -1,11 +1,12 @@
 //! Friction where it tends to fail: tiny and zero tractions, no bound, long ways, closed surfaces.
 
-use super::{EdgeCase, Expected, pair, shape};
+use super::case::{EdgeCase, Expected, pair, shape};
 use crate::oracle::geometry::{Interpolation, Placement, RigidParametric, Shape};
+use crate::oracle::history::RollingHistory;
+use crate::oracle::history::{Accepted, FrictionHistory};
+use crate::oracle::pair::{Axis, Tangential};
 use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Slave};
-use crate::oracle::rolling::RollingHistory;
-use crate::oracle::solve::{Accepted, FrictionHistory};
-use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
+use crate::oracle::tangential::TangentialLaw;
 
 /// All of this file.
 pub(super) fn edge_cases() -> Vec<EdgeCase> {

@@ -1,6 +1,6 @@
 //! A point against rigid bodies.
 
-use super::{EdgeCase, Expected, pair};
+use super::case::{EdgeCase, Expected, pair};
 use crate::oracle::geometry::{Placement, RigidDistance, RigidParametric};
 use crate::oracle::pair::{GapKind, Master, Slave};
 

@@ -1,6 +1,6 @@
 //! A point against facets.
 
-use super::{EdgeCase, Expected, pair, shape};
+use super::case::{EdgeCase, Expected, pair, shape};
 use crate::oracle::geometry::{Feature, Shape};
 use crate::oracle::pair::{GapKind, Slave};
 

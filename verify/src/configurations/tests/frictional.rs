@@ -3,9 +3,10 @@
 use super::largest;
 use super::templates::frictional;
 use crate::configurations::{Configuration, GenerateError, Generator, Wanted};
+use crate::oracle::history::Accepted;
 use crate::oracle::kinematics::Frame;
 use crate::oracle::pair::{Master, Slave};
-use crate::oracle::solve::{self, Accepted, PointStatus, State};
+use crate::oracle::solve::{self, PointStatus, State};
 use crate::oracle::tangential::TangentialLaw;
 use crate::oracle::tangential::return_map::Regime;
 use crate::oracle::vector::{add, dot, norm, scale, sub};

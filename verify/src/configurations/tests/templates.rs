@@ -7,8 +7,9 @@ use num_dual::DualNum;
 use crate::oracle::geometry::{Interpolation, Placement, RigidDistance, RigidParametric, Shape};
 use crate::oracle::law::{Activity, DeclaredLaw, Law};
 use crate::oracle::multiplier::Multipliers;
+use crate::oracle::pair::{Axis, Tangential};
 use crate::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Row, Slave};
-use crate::oracle::tangential::{Axis, DeclaredTangential, Tangential, TangentialLaw};
+use crate::oracle::tangential::{DeclaredTangential, TangentialLaw};
 
 const SPATIAL: Placement = Placement::Spatial {
     origin: [0.0; 3],

@@ -2,7 +2,8 @@
 
 use super::kinematics::{Kinematics, Point, Twice};
 use crate::oracle::octuple::Octuple;
-use crate::oracle::tangential::{Axis, Tangential, TangentialLaw};
+use crate::oracle::pair::{Axis, Tangential};
+use crate::oracle::tangential::TangentialLaw;
 use crate::oracle::vector::{add, cross, dot, norm, scale, sub, unit};
 
 /// A traction, and whether it is at its bound.

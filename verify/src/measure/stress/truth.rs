@@ -9,11 +9,11 @@ use num_traits::{Signed, Zero};
 
 use super::friction::{is_known, traction};
 use super::kinematics::{Kinematics, Point, Twice};
+use crate::oracle::history::{Accepted, FrictionHistory};
 use crate::oracle::law::Law;
 use crate::oracle::multiplier::Multipliers;
 use crate::oracle::octuple::Octuple;
 use crate::oracle::pair::{GapKind, Measure, Pair, Slave};
-use crate::oracle::solve::{Accepted, FrictionHistory};
 use crate::oracle::vector::dot;
 
 /// A state of a pair in octuple precision.

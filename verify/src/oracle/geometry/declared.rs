@@ -28,7 +28,9 @@ use std::fmt::Debug;
 use num_dual::{Dual, Dual64, HyperDual64};
 
 use super::region::Region;
-use crate::oracle::number::Number;
+use crate::oracle::number::{
+    DistanceEvaluator, Number, ShapeEvaluator, SurfaceEvaluator, for_every_number,
+};
 use crate::oracle::octuple::Octuple;
 
 /// A geometry interpolated from nodes, written once for all numbers.
@@ -71,23 +73,6 @@ pub trait DeclaredDistance: Debug + Send + Sync {
 
 macro_rules! evaluators {
     ($($type:ty, $row:ident, $point:ident, $distance:ident;)*) => {
-        /// A [`DeclaredShape`] behind a pointer: one method per number type.
-        pub trait ShapeEvaluator: Debug + Send + Sync {
-            /// See [`DeclaredShape::nodes`].
-            fn node_count(&self) -> usize;
-            /// See [`DeclaredShape::parameters`].
-            fn parameter_count(&self) -> usize;
-            /// See [`DeclaredShape::region`].
-            fn parameter_region(&self) -> Region;
-            /// See [`DeclaredShape::is_position`].
-            fn node_is_position(&self, node: usize) -> bool;
-            /// See [`DeclaredShape::typical_nodes`].
-            fn node_template(&self) -> Vec<[f64; 3]>;
-            $(
-                /// See [`DeclaredShape::row`].
-                fn $row(&self, z: [$type; 2], out: &mut [$type]);
-            )*
-        }
         impl<T: DeclaredShape> ShapeEvaluator for T {
             fn node_count(&self) -> usize {
                 self.nodes()
@@ -108,19 +93,6 @@ macro_rules! evaluators {
                 self.row(z, out);
             })*
         }
-        /// A [`DeclaredSurface`] behind a pointer: one method per number type.
-        pub trait SurfaceEvaluator: Debug + Send + Sync {
-            /// See [`DeclaredSurface::parameters`].
-            fn parameter_count(&self) -> usize;
-            /// See [`DeclaredSurface::region`].
-            fn parameter_region(&self) -> Region;
-            /// See [`DeclaredSurface::window`].
-            fn parameter_window(&self) -> [[f64; 2]; 2];
-            $(
-                /// See [`DeclaredSurface::point`].
-                fn $point(&self, z: [$type; 2]) -> [$type; 3];
-            )*
-        }
         impl<T: DeclaredSurface> SurfaceEvaluator for T {
             fn parameter_count(&self) -> usize {
                 self.parameters()
@@ -135,13 +107,6 @@ macro_rules! evaluators {
                 self.point(z)
             })*
         }
-        /// A [`DeclaredDistance`] behind a pointer: one method per number type.
-        pub trait DistanceEvaluator: Debug + Send + Sync {
-            $(
-                /// See [`DeclaredDistance::distance`].
-                fn $distance(&self, x: [$type; 3]) -> $type;
-            )*
-        }
         impl<T: DeclaredDistance> DistanceEvaluator for T {
             $(fn $distance(&self, x: [$type; 3]) -> $type {
                 self.distance(x)
@@ -149,16 +114,4 @@ macro_rules! evaluators {
         }
     };
 }
-evaluators! {
-    f64, row_f64, point_f64, distance_f64;
-    Dual64, row_dual, point_dual, distance_dual;
-    HyperDual64, row_hyper, point_hyper, distance_hyper;
-    Dual<Dual64>, row_nested_dual, point_nested_dual, distance_nested_dual;
-    Dual<HyperDual64>, row_nested_hyper, point_nested_hyper, distance_nested_hyper;
-    Dual<Dual<Dual64>>, row_twice_nested_dual, point_twice_nested_dual, distance_twice_nested_dual;
-    Dual<Dual<HyperDual64>>, row_twice_nested_hyper, point_twice_nested_hyper, distance_twice_nested_hyper;
-    Octuple, row_octuple, point_octuple, distance_octuple;
-    Dual<Octuple>, row_dual_octuple, point_dual_octuple, distance_dual_octuple;
-    Dual<Dual<Octuple>>, row_nested_octuple, point_nested_octuple, distance_nested_octuple;
-    Dual<Dual<Dual<Octuple>>>, row_twice_nested_octuple, point_twice_nested_octuple, distance_twice_nested_octuple;
-}
+for_every_number!(evaluators);

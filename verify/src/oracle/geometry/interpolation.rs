@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use super::declared::ShapeEvaluator;
 use super::polynomials::{
     MAX_DEGREE, area_coordinates, bernstein, hermite, lagrange, triangle_quadratic,
 };
 use super::region::Region;
-use crate::oracle::number::{Base, Number};
+use crate::oracle::number::{Base, Number, ShapeEvaluator};
 
 /// Most nodes that one side of a pair can have.
 pub const MAX_NODES: usize = 27;

@@ -2,9 +2,8 @@
 
 use std::sync::Arc;
 
-use super::declared::{DistanceEvaluator, SurfaceEvaluator};
 use super::region::Region;
-use crate::oracle::number::{Base, Number};
+use crate::oracle::number::{Base, DistanceEvaluator, Number, SurfaceEvaluator};
 
 /// A rigid curve or surface given by parameters, in its own frame. Lengths in the unit of the
 /// problem, angles in radians.

@@ -3,11 +3,14 @@
 use num_dual::{Dual64, HyperDual64};
 
 use super::couplings;
-use super::friction::{Friction, FrictionHistory};
+use super::friction::Friction;
+use super::locate::locate;
 use super::point::{HyperPoint, PointSolution, Seed, Sweep};
-use super::{Evaluation, PointReport, PointStatus, State, locate, validate};
+use super::report::{Evaluation, PointReport, PointStatus};
+use super::state::{State, validate};
 use crate::oracle::angle;
 use crate::oracle::error::OracleError;
+use crate::oracle::history::FrictionHistory;
 use crate::oracle::kinematics::{Frame, Nodes};
 use crate::oracle::multiplier::Enforced;
 use crate::oracle::pair::{Measure, Pair, Slave};

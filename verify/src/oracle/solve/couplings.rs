@@ -4,7 +4,7 @@ use num_dual::HyperDual64;
 
 use super::friction::Friction;
 use super::point::PointSolution;
-use super::{Couplings, PointReport, PointStatus};
+use super::report::{Couplings, PointReport, PointStatus};
 use crate::oracle::kinematics::Frame;
 use crate::oracle::pair::Pair;
 

@@ -6,61 +6,14 @@
 use num_dual::{Dual64, HyperDual64};
 
 use super::point::PointSolution;
-use super::rolling::{self, Moments, RollingReport};
-use super::{PointReport, PointStatus};
+use super::report::{FrictionReport, PointReport, PointStatus};
+use super::rolling::{self, Moments};
 use crate::oracle::error::OracleError;
+use crate::oracle::history::{Accepted, FrictionHistory, RollingHistory};
 use crate::oracle::kinematics::{Frame, Nodes};
-use crate::oracle::rolling::RollingHistory;
+use crate::oracle::pair::{Axis, Tangential};
 use crate::oracle::tangential::return_map::{Loading, Regime, traction, utilisation};
-use crate::oracle::tangential::{Axis, Tangential};
 use crate::oracle::vector::{constant, cross, dot, scale, sub, unit};
-
-/// Status of a point in the accepted state.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Accepted {
-    /// Not in contact: whatever else is remembered is forgotten.
-    Open,
-    /// It stuck.
-    Stick,
-    /// It slipped.
-    Slip,
-}
-
-/// What a contact point remembers of the accepted state.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FrictionHistory {
-    /// Status.
-    pub status: Accepted,
-    /// ζ_st: parameters of the stick anchor, slave's first.
-    pub anchor: [f64; 2],
-    /// Path slipped so far (length).
-    pub slip: f64,
-    /// Angles about two curves.
-    pub rolling: RollingHistory,
-}
-
-/// Friction of a closed point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FrictionReport {
-    /// Sticks or slips.
-    pub regime: Regime,
-    /// Trial traction over its bound; above one it slips.
-    pub utilisation: f64,
-    /// |s| since the anchor (length).
-    pub distance: f64,
-    /// T_i.
-    pub covariant: [f64; 2],
-    /// t_1, t_2 along the axes.
-    pub components: [f64; 2],
-    /// d_1, d_2; without an axis of the law d_1 is along b_1.
-    pub axes: [[f64; 3]; 2],
-    /// Energy of the spring, `Σ t_q² / (2 e_q)`.
-    pub energy: f64,
-    /// Moments about two curves.
-    pub rolling: Option<RollingReport>,
-    /// What to remember if this state is accepted.
-    pub history: FrictionHistory,
-}
 
 /// Below this fraction of its length a direction has no part in the tangent plane.
 const NO_AXIS: f64 = 1e-14;

@@ -7,7 +7,7 @@
 
 use num_dual::{Dual64, HyperDual64};
 
-use super::PointReport;
+use super::report::PointReport;
 use crate::oracle::angle;
 use crate::oracle::kinematics::{Frame, Nodes, Relative};
 use crate::oracle::number::Base;

@@ -5,27 +5,12 @@
 
 use num_dual::{Dual64, HyperDual64};
 
-use super::friction::{Accepted, FrictionHistory, FrictionReport};
 use super::point::PointSolution;
-use super::{PointReport, PointStatus};
+use super::report::{FrictionReport, PointReport, PointStatus, RollingReport};
+use crate::oracle::history::{Accepted, FrictionHistory};
 use crate::oracle::kinematics::Frame;
-use crate::oracle::rolling::{Moment, Rolling, angles};
-use crate::oracle::tangential::return_map::Regime;
-
-/// Moments about both curves, slave's first.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RollingReport {
-    /// Angles (rad).
-    pub angle: [f64; 2],
-    /// Moments.
-    pub moment: [f64; 2],
-    /// Whether each spring holds.
-    pub regime: [Regime; 2],
-    /// Trial moments over their bounds.
-    pub utilisation: [f64; 2],
-    /// Angles since their anchors (rad).
-    pub turned: [f64; 2],
-}
+use crate::oracle::pair::Rolling;
+use crate::oracle::rolling::{Moment, angles};
 
 fn rolling<'a>(frame: &Frame<'a>) -> Option<&'a Rolling> {
     frame.pair.tangential.as_ref()?.rolling.as_ref()

@@ -10,18 +10,6 @@ use std::sync::Arc;
 
 use num_dual::{Dual64, DualNum};
 
-use super::pair::{Pair, Slave};
-use super::rolling::Rolling;
-
-/// Where the first axis of a law with two stiffnesses points; the second is `n × d_1`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Axis {
-    /// Along `w^i b_i`: convected by the master.
-    Convected([f64; 2]),
-    /// Along the slave curve, projected onto the tangent plane.
-    SlaveCurve,
-}
-
 /// A tangential law that a user declares at run time.
 pub trait DeclaredTangential: Debug + Send + Sync {
     /// True if stiffness and bound depend on the axis; otherwise only their first entries count.
@@ -101,21 +89,6 @@ pub enum TangentialLaw {
     Declared(Arc<dyn TangentialEvaluator>),
 }
 
-/// The tangential part of a pair.
-#[derive(Debug, Clone)]
-pub struct Tangential {
-    /// The law.
-    pub law: TangentialLaw,
-    /// First axis of a law with two stiffnesses.
-    pub axis: Option<Axis>,
-    /// False: the residual is `T_i dζ^i` with the exact `dζ`. True: with the one on the tangent
-    /// plane, `-a^ij b_j·dr`; such a residual balances moments only at zero distance. The tangent
-    /// is the derivative of the exact residual either way.
-    pub tangent_plane: bool,
-    /// Moments about two curves; none: they roll freely.
-    pub rolling: Option<Rolling>,
-}
-
 impl TangentialLaw {
     /// Whether stiffness and bound depend on the axis.
     pub fn orthotropic(&self) -> bool {
@@ -172,7 +145,7 @@ impl TangentialLaw {
     }
 
     /// What makes the parameters unusable, if anything.
-    pub(super) fn defect(&self) -> Option<&'static str> {
+    pub(in crate::oracle) fn defect(&self) -> Option<&'static str> {
         let stiff = |e: f64| e.is_finite() && e > 0.0;
         let factor = |v: f64| v.is_finite() && v >= 0.0;
         if !self.stiffness().into_iter().all(stiff) {
@@ -189,57 +162,4 @@ impl TangentialLaw {
         };
         (!fine).then_some("coefficients of friction must be finite and not negative")
     }
-}
-
-impl Tangential {
-    /// A law without axes, with the exact residual.
-    pub fn isotropic(law: TangentialLaw) -> Self {
-        Self {
-            law,
-            axis: None,
-            tangent_plane: false,
-            rolling: None,
-        }
-    }
-
-    /// A law with axes, with the exact residual.
-    pub fn orthotropic(law: TangentialLaw, axis: Axis) -> Self {
-        Self {
-            law,
-            axis: Some(axis),
-            tangent_plane: false,
-            rolling: None,
-        }
-    }
-
-    /// Why it does not fit a pair, if it does not.
-    pub fn defect(&self, pair: &Pair) -> Option<&'static str> {
-        if pair.parameters() == 0 {
-            return Some("friction needs a projected parameter");
-        }
-        if self.law.orthotropic() != self.axis.is_some() {
-            return Some("an axis is needed for two stiffnesses, and only for those");
-        }
-        if self.axis.is_some() && pair.parameters() != 2 {
-            return Some("two stiffnesses need two projected parameters");
-        }
-        match self.axis {
-            Some(Axis::Convected(w)) if !w.iter().all(|w| w.is_finite()) || w == [0.0; 2] => {
-                return Some("a convected axis must be finite and not zero");
-            }
-            Some(Axis::SlaveCurve) if !has_slave_curve(pair) => {
-                return Some("the axis along the slave needs an integrated curve");
-            }
-            _ => {}
-        }
-        if let Some(defect) = self.rolling.as_ref().and_then(|own| own.defect(pair)) {
-            return Some(defect);
-        }
-        self.law.defect()
-    }
-}
-
-/// Whether the slave is a curve with integration points.
-fn has_slave_curve(pair: &Pair) -> bool {
-    matches!(&pair.slave, Slave::Fixed { geometry, .. } if geometry.shape.parameters() == 1)
 }

@@ -3,7 +3,7 @@
 use contact_elements::program::{Program, TangentialLawPrograms};
 use num_dual::Dual64;
 
-use super::{TRIES, derivative, inputs};
+use super::inputs::{TRIES, derivative, inputs};
 use crate::interpret::interpret;
 use crate::proof::Finding;
 use crate::proof::interpreted::ellipse;

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use super::{Summary, table};
+use super::summary::Summary;
+use super::table;
 use crate::measure::stress::Outcome;
 
 const STYLE: &str = "body{font-family:sans-serif;margin:2em}td,th{padding:.2em .7em;text-align:left;\

@@ -2,7 +2,7 @@
 
 use comfy_table::{Table, presets};
 
-use super::Summary;
+use super::summary::Summary;
 
 /// One row per sweep.
 pub fn of(summaries: &[Summary]) -> Table {

@@ -6,11 +6,11 @@ use super::Load;
 use crate::measure::stress::exact;
 use crate::measure::stress::kinematics::Point;
 use crate::measure::stress::truth::{self, State};
+use crate::oracle::history::RollingHistory;
+use crate::oracle::history::{Accepted, FrictionHistory};
 use crate::oracle::law::Law;
 use crate::oracle::octuple::Octuple;
 use crate::oracle::pair::Pair;
-use crate::oracle::rolling::RollingHistory;
-use crate::oracle::solve::{Accepted, FrictionHistory};
 use crate::oracle::tangential::TangentialLaw;
 use crate::oracle::vector::{add, dot, scale};
 

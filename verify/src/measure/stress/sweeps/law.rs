@@ -1,6 +1,6 @@
 //! What the laws are given: penalty, traction, coefficient of friction.
 
-use super::{FAMILIES, Sweep, slipped};
+use super::sweep::{FAMILIES, Sweep, slipped};
 
 pub const PENALTY: Sweep = Sweep {
     name: "penalty",

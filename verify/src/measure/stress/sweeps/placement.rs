@@ -1,6 +1,6 @@
 //! Where the contact is: origin, size, gap, angle between curves, focal surface.
 
-use super::{FAMILIES, Sweep, normal, slips, sticks};
+use super::sweep::{FAMILIES, Sweep, normal, slips, sticks};
 use crate::oracle::pair::GapKind;
 
 pub const ORIGIN: Sweep = Sweep {

@@ -1,6 +1,6 @@
 //! What the master looks like: aspect, skew, folded and collapsed facets, tangents, weights.
 
-use super::{Sweep, normal, slips, sticks};
+use super::sweep::{Sweep, normal, slips, sticks};
 use crate::configurations::flat;
 use crate::oracle::geometry::Shape;
 use crate::oracle::pair::{Master, Slave};

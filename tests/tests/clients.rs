@@ -1,8 +1,7 @@
-//! Every program of `tests/clients` against the C library.
+//! Every program of `examples/` and `tests/clients` against the C library.
 //!
-//! A source with a `main` (C, C++) or a `program` (Fortran) is a client. The other C sources and the
-//! Fortran modules are parts of clients; they are compiled once and linked to every client of their
-//! language. A client prints a line per check and exits with 0.
+//! A source with a `main` (C, C++) or a `program` (Fortran) is a client; it prints a line per check and exits with 0. The
+//! other C sources and the Fortran modules of its folder are parts: they are compiled once and linked to each client.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -13,19 +12,25 @@ use contact_tests::library::Library;
 use contact_tests::process::{available, run, succeed, text};
 use contact_tests::workspace;
 
-/// The sources of `tests/clients` with one of these extensions, by name.
-fn sources(extensions: &[&str]) -> Vec<PathBuf> {
-    let directory = workspace("tests/clients");
-    let entries = std::fs::read_dir(&directory).expect("the clients");
-    let mut list: Vec<PathBuf> = entries
-        .map(|entry| entry.expect("a file").path())
-        .filter(|path| {
-            let extension = path.extension().and_then(OsStr::to_str);
-            extension.is_some_and(|e| extensions.contains(&e))
-        })
-        .collect();
+/// Parts that every client of `tests/clients` may use.
+const SUPPORT: &str = "tests/clients/support";
+const INTERFACE: &str = "tests/clients/interface";
+
+/// The sources of a folder with one of these extensions, by name; with the shared parts where it is one of `tests/clients`.
+fn sources(folder: &str, extensions: &[&str]) -> Vec<PathBuf> {
+    let shared = folder.starts_with("tests/clients").then_some(SUPPORT);
+    let mut list: Vec<PathBuf> = [folder].into_iter().chain(shared).flat_map(files).collect();
+    list.retain(|path| {
+        let extension = path.extension().and_then(OsStr::to_str);
+        extension.is_some_and(|e| extensions.contains(&e))
+    });
     list.sort();
     list
+}
+
+fn files(folder: &str) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(workspace(folder)).expect("a folder of clients");
+    entries.map(|entry| entry.expect("a file").path()).collect()
 }
 
 fn read(path: &Path) -> String {
@@ -40,6 +45,13 @@ fn name(path: &Path) -> &str {
     path.file_name().and_then(OsStr::to_str).expect("a name")
 }
 
+/// The C compiler with the headers of the shared parts in reach.
+fn c() -> Command {
+    let mut compiler = compiler::c();
+    compiler.arg("-I").arg(workspace(SUPPORT));
+    compiler
+}
+
 /// Compiles a part; its object file.
 fn object(mut compiler: Command, source: &Path, directory: &Path) -> PathBuf {
     let object = directory.join(format!("{}.o", name(source)));
@@ -47,13 +59,14 @@ fn object(mut compiler: Command, source: &Path, directory: &Path) -> PathBuf {
     object
 }
 
-/// Compiles and runs a client; what it printed, where it failed.
-fn failure(
-    mut compiler: Command,
-    source: &Path,
-    parts: &[PathBuf],
-    link: &[String],
-) -> Option<String> {
+/// A client that ran: its source and what it printed, or why it failed.
+struct Ran {
+    source: PathBuf,
+    printed: Result<String, String>,
+}
+
+/// Compiles and runs a client.
+fn ran(mut compiler: Command, source: &Path, parts: &[PathBuf], link: &[String]) -> Ran {
     let directory = tempfile::TempDir::new().expect("a temporary directory");
     let executable = directory.path().join("client");
     succeed(
@@ -70,84 +83,126 @@ fn failure(
         .lines()
         .filter(|l| l.trim_start().starts_with("PASS"))
         .count();
-    println!(
-        "{}: {}, {checks} checks passed",
-        name(source),
-        output.status
-    );
-    (!output.status.success()).then(|| format!("{}: {}\n{printed}", name(source), output.status))
+    let shown = format!("{}: {}", source.display(), output.status);
+    println!("{shown}, {checks} checks passed");
+    Ran {
+        source: source.to_path_buf(),
+        printed: match output.status.success() {
+            true => Ok(printed),
+            false => Err(format!("{shown}\n{printed}")),
+        },
+    }
 }
 
-fn assert_none(failures: Vec<String>) {
+/// All clients passed; their number is at least this.
+fn assert_passed(clients: &[Ran], least: usize) {
+    assert!(clients.len() >= least, "only {} clients", clients.len());
+    let failures: Vec<&str> = clients
+        .iter()
+        .filter_map(|client| client.printed.as_ref().err().map(String::as_str))
+        .collect();
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }
 
-/// The clients among the C sources, and the objects of the parts.
-fn c_clients(directory: &Path) -> (Vec<PathBuf>, Vec<PathBuf>) {
-    let (clients, parts): (Vec<PathBuf>, Vec<PathBuf>) = sources(&["c"])
+/// Runs the C clients of a folder.
+fn c_clients(folder: &str, link: &[String]) -> Vec<Ran> {
+    let directory = tempfile::TempDir::new().expect("a temporary directory");
+    let (clients, parts): (Vec<PathBuf>, Vec<PathBuf>) = sources(folder, &["c"])
         .into_iter()
         .partition(|source| read(source).contains("\nint main("));
-    let objects = parts
+    let objects: Vec<PathBuf> = parts
         .iter()
-        .map(|part| object(compiler::c(), part, directory))
+        .map(|part| object(c(), part, directory.path()))
         .collect();
-    (clients, objects)
+    clients
+        .iter()
+        .map(|client| ran(c(), client, &objects, link))
+        .collect()
+}
+
+/// Runs the Fortran clients of a folder.
+fn fortran_clients(folder: &str, link: &[String]) -> Vec<Ran> {
+    let directory = tempfile::TempDir::new().expect("a temporary directory");
+    let compiler = |source: &Path| compiler::fortran(source, directory.path());
+    let (clients, mut modules): (Vec<PathBuf>, Vec<PathBuf>) = sources(folder, &["f", "f90"])
+        .into_iter()
+        .partition(|source| is_program(&read(source)));
+    modules.push(workspace("contact-elements/include/contact_elements.f90"));
+    let objects: Vec<PathBuf> = in_order(modules)
+        .iter()
+        .map(|source| object(compiler(source), source, directory.path()))
+        .collect();
+    clients
+        .iter()
+        .map(|client| ran(compiler(client), client, &objects, link))
+        .collect()
 }
 
 #[test]
-fn c_and_cpp_against_the_shared_library() {
+fn examples_in_c() {
     let library = Library::contact_elements();
-    let (clients, parts) = c_clients(library.path());
-    assert!(clients.len() >= 3, "{clients:?}");
-    let c = clients
-        .iter()
-        .filter_map(|client| failure(compiler::c(), client, &parts, &library.link()));
-    let cpp = sources(&["cpp"]);
-    assert!(!cpp.is_empty());
-    let cpp = cpp
-        .iter()
-        .filter_map(|client| failure(compiler::cpp(), client, &[], &library.link()));
-    assert_none(c.chain(cpp).collect());
-}
-
-#[test]
-fn c_against_the_static_library() {
-    let library = Library::contact_elements();
-    let (clients, parts) = c_clients(library.path());
-    let bricks = clients.iter().find(|client| stem(client) == "bricks");
-    let bricks = bricks.expect("bricks.c");
+    assert_passed(&c_clients("examples/c", &library.link()), 2);
     // The archive needs no library beside the C compiler's own.
     let archive = library.archive().display().to_string();
-    assert_none(Vec::from_iter(failure(
-        compiler::c(),
-        bricks,
-        &parts,
-        &[archive],
-    )));
+    assert_passed(&c_clients("examples/c", &[archive]), 2);
 }
 
 #[test]
-fn fortran_against_the_shared_library() {
+fn examples_in_fortran() {
     if !available("gfortran", REQUIRE_FORTRAN) {
         return;
     }
     let library = Library::contact_elements();
-    let directory = library.path();
-    let mut free = sources(&["f90"]);
-    free.push(workspace("contact-elements/include/contact_elements.f90"));
-    let modules = in_order(&free);
-    let objects: Vec<PathBuf> = modules
+    assert_passed(&fortran_clients("examples/fortran", &library.link()), 2);
+    assert_passed(&fortran_clients("examples/fortran77", &library.link()), 1);
+}
+
+#[test]
+fn bad_input_in_c_and_fortran() {
+    assert_twins_pass("tests/clients/bad_input");
+}
+
+#[test]
+fn interface_in_c_and_fortran() {
+    assert_twins_pass(INTERFACE);
+}
+
+#[test]
+fn header_in_cpp() {
+    let library = Library::contact_elements();
+    let clients: Vec<Ran> = sources(INTERFACE, &["cpp"])
         .iter()
-        .map(|source| object(compiler::fortran(source, directory), source, directory))
+        .map(|client| ran(compiler::cpp(), client, &[], &library.link()))
         .collect();
-    let programs = free.iter().filter(|source| is_program(&read(source)));
-    let clients: Vec<PathBuf> = programs.cloned().chain(sources(&["f"])).collect();
-    assert!(clients.len() >= 3, "{clients:?}");
-    let failures = clients.iter().filter_map(|client| {
-        let compiler = compiler::fortran(client, directory);
-        failure(compiler, client, &objects, &library.link())
-    });
-    assert_none(failures.collect());
+    assert_passed(&clients, 1);
+}
+
+/// The clients of a folder pass, and each in C has a twin in Fortran that prints the same.
+fn assert_twins_pass(folder: &str) {
+    let library = Library::contact_elements();
+    let c = c_clients(folder, &library.link());
+    assert_passed(&c, 1);
+    if !available("gfortran", REQUIRE_FORTRAN) {
+        return;
+    }
+    let fortran = fortran_clients(folder, &library.link());
+    assert_passed(&fortran, 1);
+    for client in &c {
+        let name = stem(&client.source);
+        let twin = fortran.iter().find(|twin| stem(&twin.source) == name);
+        let twin = twin.unwrap_or_else(|| panic!("no {name} in Fortran"));
+        assert_same_lines(name, &client.printed, &twin.printed);
+    }
+}
+
+fn assert_same_lines(name: &str, c: &Result<String, String>, fortran: &Result<String, String>) {
+    let (Ok(c), Ok(fortran)) = (c, fortran) else {
+        panic!("{name} failed: {c:?}{fortran:?}");
+    };
+    let differ = c.lines().zip(fortran.lines()).find(|(a, b)| a != b);
+    assert_eq!(differ, None, "{name}: left in C, right in Fortran");
+    let [c, fortran] = [c, fortran].map(|text| text.lines().count());
+    assert_eq!(c, fortran, "{name}: lines in C and in Fortran");
 }
 
 /// With default integers of 8 bytes the include file does not compile, a program with explicit kinds runs, and one that
@@ -166,27 +221,15 @@ fn no_fortran_client_takes_integers_of_another_size() {
         compiler
     };
     let module = object(compiler(&module), &module, directory);
-    let explicit = client("integers.f90");
-    assert_none(Vec::from_iter(failure(
-        compiler(&explicit),
-        &explicit,
-        &[module],
-        &library.link(),
-    )));
-    let fixed = client("bricks77.f");
+    let explicit = workspace(INTERFACE).join("integers.f90");
+    let client = ran(compiler(&explicit), &explicit, &[module], &library.link());
+    assert_passed(&[client], 1);
+    let fixed = workspace("examples/fortran77/bricks.f");
     assert_refused(compiler(&fixed).arg(&fixed), "Division by zero");
     let loose = directory.join("loose.f90");
     let text = read(&explicit).replace("integer(i4) ::", "integer ::");
     std::fs::write(&loose, text).expect("a file");
     assert_refused(compiler(&loose).arg(&loose), "Type mismatch in argument");
-}
-
-/// The client of this name.
-fn client(name: &str) -> PathBuf {
-    let found = sources(&["f", "f90"])
-        .into_iter()
-        .find(|path| self::name(path) == name);
-    found.unwrap_or_else(|| panic!("no client {name}"))
 }
 
 /// The compiler says this and makes no object.
@@ -200,16 +243,16 @@ fn assert_refused(compiler: &mut Command, message: &str) {
 }
 
 fn is_program(text: &str) -> bool {
-    text.lines().any(|line| line.starts_with("program "))
+    let begins = |line: &str| {
+        line.to_ascii_lowercase()
+            .trim_start()
+            .starts_with("program ")
+    };
+    text.lines().any(begins)
 }
 
-/// The sources that hold modules only, each after those it uses.
-fn in_order(sources: &[PathBuf]) -> Vec<PathBuf> {
-    let mut waiting: Vec<PathBuf> = sources
-        .iter()
-        .filter(|source| !is_program(&read(source)))
-        .cloned()
-        .collect();
+/// The modules, each after those it uses.
+fn in_order(mut waiting: Vec<PathBuf>) -> Vec<PathBuf> {
     let mut ordered: Vec<PathBuf> = Vec::new();
     while !waiting.is_empty() {
         let names: Vec<String> = waiting.iter().map(|s| stem(s).to_string()).collect();

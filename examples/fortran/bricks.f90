@@ -4,7 +4,7 @@
 ! lower nodes (slaves) to the lower brick's top face (master). Newton with the element's tangent.
 ! The host has its own layout: room for nen nodes with ndf unknowns each per element, right-hand side
 ! p = -f, column-major s(nst, nst). The element writes straight into p and s through unknown_map and
-! strides. bricks.c and bricks77.f (Fortran 77 entries) are the twins.
+! strides. bricks.c and bricks.f (Fortran 77 entries) are the twins.
 !
 ! Reference: the same problem in six independent finite-element programs.
 module bricks_program

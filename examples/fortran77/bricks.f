@@ -1,4 +1,4 @@
-C     bricks77.f - bricks.c in Fortran 77, through CTE_F77_* alone.
+C     bricks.f - bricks.c in Fortran 77, through CTE_F77_* alone.
 C
 C     An upper brick is pushed onto a lower one; four contact elements
 C     PointQuad4 join the upper brick's lower nodes (slaves) to the
@@ -39,10 +39,10 @@ C     Each step begins with the upper brick moved along rigidly.
         END IF
    30 CONTINUE
       IF (.NOT. OK) THEN
-        WRITE (*, '(A)') 'FAIL bricks77'
+        WRITE (*, '(A)') 'FAIL bricks'
         STOP 1
       END IF
-      WRITE (*, '(A)') 'PASS bricks77'
+      WRITE (*, '(A)') 'PASS bricks'
       END
 
 C     Coordinates, elastic stiffness and the first history.

@@ -4,7 +4,7 @@
  * lower nodes (slaves) to the lower brick's top face (master). Newton with the element's tangent.
  * The host has its own layout: room for NEN nodes with NDF unknowns each per element, right-hand side
  * p = -f, row-major s[NST][NST]. The element writes straight into p and s through unknown_map and strides.
- * bricks.f90 (module) and bricks77.f (Fortran 77 entries) are the twins.
+ * bricks.f90 (module) and bricks.f (Fortran 77 entries) are the twins.
  *
  * Reference: the same problem in six independent finite-element programs.
  */

@@ -2,8 +2,7 @@
 //!
 //! Run: `cargo run --release -p contact-elements --example declare`
 
-use contact_elements::abi::{Evaluation, evaluate};
-use contact_elements::runtime::Status;
+use contact_elements::{Error, Evaluation, Status, evaluate};
 
 /// What this program declares. Any module will do; the items become types in it.
 mod pairs {
@@ -33,7 +32,7 @@ mod pairs {
     }
 }
 
-fn main() {
+fn main() -> Result<(), Error> {
     let element = pairs::PointQuad8::DESCRIPTOR;
     println!("parameters of {}:", text(element.name));
     for parameter in element.parameters {
@@ -48,7 +47,7 @@ fn main() {
         0.0, -1.0, 0.05, 1.0, 0.0, 0.05, 0.0, 1.0, 0.05, -1.0, 0.0, 0.05, // middles
     ];
     let (mut residual, mut tangent) = ([0.0; 27], [0.0; 27 * 27]);
-    let outcome = evaluate(
+    let summary = evaluate(
         element,
         &mut Evaluation {
             x: &x,
@@ -57,8 +56,8 @@ fn main() {
             tangent: &mut tangent,
             ..Evaluation::default()
         },
-    );
-    assert_eq!(outcome.status(), Some(Status::Closed));
+    )?;
+    assert_eq!(summary.status, Status::Closed);
 
     println!("R, force on each node:");
     for node in residual.chunks(3) {
@@ -72,6 +71,7 @@ fn main() {
     let largest = residual.iter().fold(0.0_f64, |most, r| most.max(r.abs()));
     println!("sum of the z forces / largest force: {:.1e}", sum / largest);
     assert!(sum.abs() < 1e-14 * largest);
+    Ok(())
 }
 
 /// Names in a descriptor end with a zero byte, for C.

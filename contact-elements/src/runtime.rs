@@ -15,7 +15,9 @@ pub use crate::element::contraction::contract;
 pub use crate::element::driver::evaluate;
 pub use crate::element::gather::{Coordinates, Nodes};
 pub use crate::element::kernel::{fixed, interpolated, workspace};
-pub use crate::element::receiver::{Call, Failure, InputError, Receiver, Report, Summary, Wanted};
+pub use crate::element::receiver::{
+    Call, Failure, InputError, OUTPUT_SIZE, Receiver, Report, Summary, Wanted,
+};
 pub use crate::element::stage::{Stage, TangentialRows, Temporaries};
 pub use crate::element::tangential_contraction::{Shares, contract_sliding};
 pub use crate::element::traits::{Element, Layout, Search, can_divide};
@@ -43,9 +45,4 @@ pub use crate::point::tangential::{
 };
 pub use crate::point::values::{
     Coefficients, Enforcement, Frame, Gap, Measure, Rows, ShapeRows, Status, Vectors, dot,
-};
-// until the interface imports from where they stand
-pub(crate) use crate::arithmetic::is_usable;
-pub(crate) use crate::point::history::{
-    can_be_anchor, can_be_projection, is_remembered, is_side, is_status,
 };

@@ -1,31 +1,32 @@
-//! Many contacts of one element: in lanes where it has a kernel for that, else one after the other. Sums are taken
-//! in the order of the contacts.
+//! Many contacts of one element.
 
-use super::batch_check::{Checked, Layout};
-use super::evaluate::{fault_of, history, parameters, slave_row, wanted, workspace};
-use super::outputs::Outputs;
-use super::screen::Screening;
-use super::sizes::{Fault, reported, slave_count};
-use super::target::Target;
-use super::types::{Batch, is_whole};
-use super::{Descriptor, argument, code, request};
-use crate::runtime::{
-    AllPlaces, Call, Contacts, Coordinates, History, Nodes, Places, ROOM, Status, Wanted, Width,
-    one_by_one,
-};
+use super::outputs::Pointers;
+use super::ownership::Ownership;
+use super::pointers::{history, optional, workspace};
+use super::types::Batch;
+use super::versioned::is_whole;
+use crate::batch::dispatch::one_by_one;
+use crate::codes::{argument, code, request};
+use crate::error::Error;
+use crate::evaluation::batch::arrays::Arrays;
+use crate::evaluation::batch::run::{Failures, Run};
+use crate::evaluation::batch::shape::{Form, Present, Shape};
+use crate::evaluation::sizes::{reported, slave_count};
+use crate::lanes::Width;
+use crate::registered::Registered;
 
 /// `cte_element_batch_workspace`.
 ///
 /// # Safety
 /// `element` comes from this interface or is null.
-pub unsafe fn element_batch_workspace(element: *const Descriptor, nslave: i32) -> i64 {
+pub unsafe fn element_batch_workspace(element: *const Registered, nslave: i32) -> i64 {
     // SAFETY: promised by the caller.
     let Some(element) = (unsafe { element.as_ref() }) else {
         return i64::from(code::NULL);
     };
     match slave_count(element, nslave) {
         Ok(nslave) => element.workspace(element.nodes(nslave)) as i64,
-        Err((code, ..)) => i64::from(code),
+        Err(error) => i64::from(error.code),
     }
 }
 
@@ -34,7 +35,7 @@ pub unsafe fn element_batch_workspace(element: *const Descriptor, nslave: i32) -
 /// # Safety
 /// `element` comes from this interface or is null; `batch` points to a struct whose pointers are valid for
 /// the shapes that the header gives, or is null.
-pub unsafe fn element_evaluate_batch(element: *const Descriptor, n: i64, batch: *mut Batch) -> i32 {
+pub unsafe fn element_evaluate_batch(element: *const Registered, n: i64, batch: *mut Batch) -> i32 {
     // SAFETY: promised by the caller.
     unsafe { element_evaluate_batch_in(element, n, batch, Width::widest()) }
 }
@@ -44,13 +45,23 @@ pub unsafe fn element_evaluate_batch(element: *const Descriptor, n: i64, batch: 
 /// # Safety
 /// As [`element_evaluate_batch`].
 pub unsafe fn element_evaluate_batch_in(
-    element: *const Descriptor,
+    element: *const Registered,
     n: i64,
     batch: *mut Batch,
     width: Width,
 ) -> i32 {
     // SAFETY: promised by the caller.
-    unsafe { guarded(element, n, batch, |checked| all(checked, width)) }
+    unsafe { guarded(element, n, batch, |work| work.all(width)) }
+}
+
+/// A checked batch of a host.
+pub(super) struct Work<'a> {
+    pub(super) element: &'a Registered,
+    pub(super) batch: &'a Batch,
+    pub(super) shape: Shape<'a>,
+    pub(super) arrays: Arrays<'a>,
+    /// Scatter map into the sparse matrix.
+    pub(super) map: &'a [i64],
 }
 
 /// Checks a batch, has it evaluated and fills the scalars at the end of its struct.
@@ -58,10 +69,10 @@ pub unsafe fn element_evaluate_batch_in(
 /// # Safety
 /// As [`element_evaluate_batch`].
 pub(super) unsafe fn guarded(
-    element: *const Descriptor,
+    element: *const Registered,
     n: i64,
     batch: *mut Batch,
-    evaluate: impl FnOnce(Checked<'_>) -> Result<Failures, Fault>,
+    evaluate: impl FnOnce(&Work<'_>) -> Result<Failures, Error>,
 ) -> i32 {
     if batch.is_null() {
         return code::NULL;
@@ -73,311 +84,142 @@ pub(super) unsafe fn guarded(
     // SAFETY: the caller's struct is at least as large as ours.
     let batch = unsafe { &mut *batch };
     // SAFETY: promised by the caller.
-    let outcome = match unsafe { element.as_ref() } {
+    let result = match unsafe { element.as_ref() } {
         // SAFETY: promised by the caller.
-        Some(element) => unsafe { Checked::new(element, n, batch) }.and_then(evaluate),
-        None => Err((code::NULL, argument::ELEMENT, 0)),
+        Some(element) => unsafe { Work::new(element, n, batch) }.and_then(|work| evaluate(&work)),
+        None => Err(Error::missing(argument::ELEMENT)),
     };
-    let (code, failures) = match outcome {
-        Ok(failures) if failures.count == 0 => (code::SUCCESS, failures),
-        Ok(failures) => (code::CUT_BACK, failures),
-        Err((code, argument, index)) => {
-            let failures = Failures {
-                count: 0,
-                argument,
-                index,
-            };
-            (code, failures)
+    let failed = result.map_or(0, |failures| failures.count);
+    batch.failed = failed as i64;
+    (batch.error_argument, batch.error_index) = (argument::NONE, 0);
+    match result.and_then(|failures| failures.outcome()) {
+        Ok(()) => code::SUCCESS,
+        Err(error) => {
+            batch.error_argument = error.argument;
+            batch.error_index = reported(error.index);
+            error.code
         }
-    };
-    batch.failed = failures.count;
-    batch.error_argument = failures.argument;
-    batch.error_index = reported(failures.index);
-    code
-}
-
-/// How many contacts failed; which was the first, and what its fault names.
-#[derive(Clone, Copy)]
-pub(super) struct Failures {
-    pub(super) count: i64,
-    pub(super) argument: i32,
-    pub(super) index: usize,
-}
-
-impl Failures {
-    pub(super) const NONE: Self = Self {
-        count: 0,
-        argument: argument::NONE,
-        index: 0,
-    };
-}
-
-/// Evaluates all contacts on this thread.
-pub(super) fn all(checked: Checked<'_>, width: Width) -> Result<Failures, Fault> {
-    let memory = checked.workspace()?;
-    Ok(evaluate(checked, memory, width))
-}
-
-/// Evaluates all contacts in the order of their numbers.
-pub(super) fn evaluate(checked: Checked<'_>, memory: &mut [f64], width: Width) -> Failures {
-    if checked.count == 0 {
-        return Failures::NONE;
     }
-    let element = checked.element;
-    // SAFETY: promised by the caller of the batch; there is a first contact.
-    let shared = unsafe { checked.parameters_of(0) };
-    let mut run = Run {
-        outputs: Outputs::new(&checked),
-        screening: Screening::new(&checked),
-        checked,
-        shared,
-        memory,
-        failures: Failures::NONE,
-    };
-    match element.lanes {
-        Some(kernel) if run.checked.count > 1 => kernel(&mut run, width),
-        _ => one_by_one(&mut run),
-    }
-    run.failures
 }
 
-/// A batch at work. Made of a batch that was checked, whose caller promised its pointers.
-pub struct Run<'a> {
-    checked: Checked<'a>,
-    pub(super) outputs: Outputs,
-    /// Parameters of the first contact.
-    shared: Result<&'a [f64], Fault>,
-    memory: &'a mut [f64],
-    pub(super) screening: Screening,
-    failures: Failures,
+/// What the struct says of counts, strides and arrays.
+fn form(batch: &Batch) -> Form {
+    Form {
+        request: batch.request,
+        nslave: batch.nslave,
+        parameter_count: batch.parameter_count,
+        x_strides: [
+            batch.x_element_stride,
+            batch.x_node_stride,
+            batch.x_component_stride,
+        ],
+        u_strides: [
+            batch.u_element_stride,
+            batch.u_node_stride,
+            batch.u_component_stride,
+        ],
+        f_stride: batch.f_element_stride,
+        k_stride: batch.k_element_stride,
+        parameter_stride: batch.parameter_element_stride,
+        global_nodes: batch.global_nodes,
+        f_scale: batch.f_scale,
+        k_scale: batch.k_scale,
+        has: Present {
+            x: !batch.x.is_null(),
+            parameters: !batch.parameters.is_null(),
+            history: !batch.history_accepted.is_null(),
+            slave_row: !batch.slave_row.is_null(),
+            connectivity: !batch.connectivity.is_null(),
+            status: !batch.status.is_null(),
+            f: !batch.f.is_null(),
+            k: !batch.k.is_null(),
+            global_f: !batch.global_f.is_null(),
+            csr_values: !batch.csr_values.is_null(),
+            csr_map: !batch.csr_map.is_null(),
+            trial: !batch.history_trial.is_null(),
+            output: !batch.output.is_null(),
+            energy: !batch.energy.is_null(),
+        },
+    }
 }
 
-impl Run<'_> {
-    /// The contacts as they were checked.
-    #[inline]
-    pub(super) fn checked(&self) -> &Checked<'_> {
-        &self.checked
-    }
-
+impl<'a> Work<'a> {
+    /// Checks everything but the values.
+    ///
     /// # Safety
-    /// As [`element_evaluate_batch`].
-    unsafe fn one(&mut self, e: usize) -> (Status, Fault) {
-        let checked = &self.checked;
-        let batch = checked.batch;
-        // SAFETY: promised by the caller.
-        let parameters = match unsafe { checked.parameters_of(e) } {
-            Ok(parameters) => parameters,
-            Err(fault) => return (Status::Open, fault),
-        };
-        // SAFETY: promised by the caller.
-        let (history, row) = unsafe {
-            let row = shifted(batch.slave_row, e * (checked.nslave + 1));
-            (
-                checked.history_of(e),
-                slave_row(checked.element, row, checked.nslave),
-            )
-        };
-        let call = Call {
-            parameters,
-            history,
-            slave_row: row.unwrap_or(&[]),
-            wanted: wanted(batch.request),
-        };
-        // SAFETY: promised by the caller.
-        let nodes = unsafe { checked.nodes_of(e) };
-        let mut target = self.outputs.of(e);
-        match (checked.element.kernel)(&call, &nodes, self.memory, &mut target) {
-            Ok(summary) => {
-                if batch.request & request::SYMMETRISE != 0 && !target.k.is_null() {
-                    target.symmetrise();
-                }
-                (summary.status, (code::SUCCESS, argument::NONE, 0))
+    /// The pointers of the batch are valid for the shapes that the header gives, as long as this lives.
+    unsafe fn new(element: &'a Registered, n: i64, batch: &'a Batch) -> Result<Self, Error> {
+        let shape = Shape::new(element, element.requests(), n, form(batch))?;
+        let count = shape.count;
+        // SAFETY: promised by the caller; the lengths fit the memory.
+        let arrays = unsafe {
+            Arrays {
+                x: optional(batch.x, shape.x.length).unwrap_or_default(),
+                u: optional(batch.u, shape.u.length),
+                connectivity: optional(batch.connectivity, count * shape.nodes),
+                parameters: optional(batch.parameters, shape.parameter_length())
+                    .unwrap_or_default(),
+                history: history(batch.history_accepted, count * element.history()),
+                slave_row: optional(batch.slave_row, count * (shape.nslave + 1))
+                    .filter(|_| element.interpolated),
             }
-            Err(error) => (error.status().unwrap_or(Status::Open), fault_of(error)),
-        }
-    }
-
-    #[inline]
-    pub(super) fn note(&mut self, contact: usize, status: Status, (code, argument, _): Fault) {
-        let batch = self.checked.batch;
-        // SAFETY: promised by the caller: one entry per contact.
-        unsafe {
-            *batch.status.add(contact) = status as i32;
-            if !batch.code.is_null() {
-                *batch.code.add(contact) = code;
-            }
-        }
-        if code != code::SUCCESS {
-            if self.failures.count == 0 {
-                (self.failures.argument, self.failures.index) = (argument, contact);
-            }
-            self.failures.count += 1;
-        }
-    }
-}
-
-impl Contacts for Run<'_> {
-    type Receiver<'r>
-        = Target
-    where
-        Self: 'r;
-
-    #[inline(always)]
-    fn next(&mut self, numbers: &mut [usize; ROOM]) -> usize {
-        self.next_to_evaluate(numbers)
-    }
-
-    #[inline(always)]
-    fn wanted(&self) -> Wanted {
-        wanted(self.checked.batch.request)
-    }
-
-    #[inline(always)]
-    fn reports(&self) -> bool {
-        self.checked.batch.request & (request::OUTPUT | request::HISTORY) != 0
-    }
-
-    #[inline(always)]
-    fn have_same_parameters(&self) -> bool {
-        self.checked.parameter_stride == 0
-    }
-
-    #[inline(always)]
-    fn parameters(&self, contact: usize) -> Option<&[f64]> {
-        if self.have_same_parameters() {
-            return self.shared.ok();
-        }
-        // SAFETY: promised by the caller.
-        unsafe { self.checked.parameters_of(contact).ok() }
-    }
-
-    #[inline(always)]
-    fn history(&self, contact: usize) -> Option<History<'_>> {
-        // SAFETY: promised by the caller.
-        unsafe { self.checked.history_of(contact) }
-    }
-
-    #[inline(always)]
-    fn nodes(&self, contact: usize) -> Nodes<'_> {
-        // SAFETY: promised by the caller.
-        unsafe { self.checked.nodes_of(contact) }
-    }
-
-    #[inline(always)]
-    fn places(&self) -> Option<AllPlaces<'_>> {
-        let (checked, batch) = (&self.checked, self.checked.batch);
-        let places = |values: *const f64, layout: Layout| Places {
+        };
+        arrays.check(&shape)?;
+        let is_scattered = batch.request & request::TANGENT != 0 && !batch.csr_values.is_null();
+        let length = if is_scattered {
+            count * shape.map_size()
+        } else {
+            0
+        };
+        Ok(Self {
+            element,
+            batch,
             // SAFETY: promised by the caller; the length fits the memory.
-            values: unsafe { core::slice::from_raw_parts(values, layout.length) },
-            contact_stride: layout.element,
-            node_stride: layout.node,
-        };
-        let has_displacements = !batch.u.is_null();
-        if checked.x.component != 1 || has_displacements && checked.u.component != 1 {
-            return None;
-        }
-        Some(AllPlaces {
-            x: places(batch.x, checked.x),
-            u: has_displacements.then(|| places(batch.u, checked.u)),
-            connectivity: (!batch.connectivity.is_null()).then(|| {
-                let length = checked.count * checked.nodes;
-                // SAFETY: promised by the caller; the length fits the memory.
-                unsafe { core::slice::from_raw_parts(batch.connectivity, length) }
-            }),
+            map: unsafe { optional(batch.csr_map, length) }.unwrap_or_default(),
+            shape,
+            arrays,
         })
     }
 
-    #[inline(always)]
-    fn receiver(&mut self, contact: usize) -> Target {
-        self.outputs.of(contact)
-    }
-
-    #[inline(never)]
-    fn evaluate_alone(&mut self, contact: usize) {
-        // SAFETY: promised by the caller.
-        let (status, fault) = unsafe { self.one(contact) };
-        self.note(contact, status, fault);
-    }
-
-    #[inline(always)]
-    fn settle(&mut self, contact: usize, status: Status) {
-        if self.checked.batch.request & request::SYMMETRISE != 0 {
-            let mut target = self.receiver(contact);
-            if !target.k.is_null() {
-                target.symmetrise();
-            }
-        }
-        self.note(contact, status, (code::SUCCESS, argument::NONE, 0));
-    }
-}
-
-impl<'a> Checked<'a> {
     /// The caller's workspace, where the element needs one and there are contacts.
-    pub(super) fn workspace(&self) -> Result<&'a mut [f64], Fault> {
-        if self.count == 0 {
-            return Ok(&mut []);
-        }
-        let needed = self.element.workspace(self.nodes);
+    pub(super) fn workspace(&self) -> Result<&'a mut [f64], Error> {
+        let needed = match self.shape.count {
+            0 => 0,
+            _ => self.element.workspace(self.shape.nodes),
+        };
         // SAFETY: promised by the caller of the batch.
         unsafe { workspace(self.batch.workspace, self.batch.workspace_size, needed) }
     }
 
-    /// # Safety
-    /// As [`element_evaluate_batch`].
-    #[inline]
-    unsafe fn parameters_of(&self, e: usize) -> Result<&'a [f64], Fault> {
-        // SAFETY: promised by the caller.
-        unsafe {
-            let values = self.batch.parameters.add(e * self.parameter_stride);
-            parameters(self.element, values, self.batch.parameter_count)
+    /// Evaluates all contacts on this thread.
+    pub(super) fn all(&self, width: Width) -> Result<Failures, Error> {
+        let memory = self.workspace()?;
+        if self.shape.count == 0 {
+            return Ok(Failures::NONE);
         }
-    }
-
-    /// # Safety
-    /// As [`element_evaluate_batch`].
-    #[inline(always)]
-    pub(super) unsafe fn history_of(&self, e: usize) -> Option<History<'a>> {
-        // SAFETY: promised by the caller.
-        unsafe {
-            let old = shifted(self.batch.history_accepted, e * self.element.history());
-            history(self.element, old)
-        }
-    }
-
-    /// # Safety
-    /// As [`element_evaluate_batch`].
-    #[inline(always)]
-    unsafe fn nodes_of(&self, e: usize) -> Nodes<'a> {
-        let batch = self.batch;
-        let coordinates = |values: *const f64, layout: Layout| Coordinates {
-            // SAFETY: promised by the caller; the length fits the memory.
-            values: unsafe { core::slice::from_raw_parts(values, layout.length) },
-            offset: e * layout.element,
-            node_stride: layout.node,
-            component_stride: layout.component,
+        let list = self.arrays.connectivity.unwrap_or(&[]);
+        // SAFETY: promised by the caller of the batch.
+        let mut outputs = unsafe {
+            let from = (0, self.map, list);
+            Pointers::new(&self.shape, self.batch, from, Ownership::FREE)
         };
-        Nodes {
-            x: coordinates(batch.x, self.x),
-            u: (!batch.u.is_null()).then(|| coordinates(batch.u, self.u)),
-            // SAFETY: promised by the caller.
-            connectivity: (!batch.connectivity.is_null()).then(|| unsafe {
-                let list = batch.connectivity.add(e * self.nodes);
-                core::slice::from_raw_parts(list, self.nodes)
-            }),
-            count: self.nodes,
-        }
+        let all = (&self.shape, &self.arrays);
+        Ok(evaluate(self.element, all, &mut outputs, memory, width))
     }
 }
 
-/// The pointer moved by `offset`, or null.
-///
-/// # Safety
-/// `pointer` is null or valid for `offset` entries.
-unsafe fn shifted<T>(pointer: *const T, offset: usize) -> *const T {
-    if pointer.is_null() {
-        pointer
-    } else {
-        // SAFETY: promised by the caller.
-        unsafe { pointer.add(offset) }
+/// Evaluates contacts in the order of their numbers.
+pub(super) fn evaluate<'a>(
+    element: &Registered,
+    inputs: (&'a Shape<'a>, &'a Arrays<'a>),
+    outputs: &'a mut Pointers<'_, '_>,
+    memory: &'a mut [f64],
+    width: Width,
+) -> Failures {
+    let mut run = Run::new((element.kernel, element.screen), inputs, outputs, memory);
+    match element.lanes {
+        Some(kernel) if run.shape.count > 1 => kernel(&mut run, width),
+        _ => one_by_one(&mut run),
     }
+    run.failures
 }

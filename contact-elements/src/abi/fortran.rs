@@ -1,12 +1,13 @@
 //! Fortran 77: everything by address, no CHARACTER arguments, elements by index.
 
-use super::augment::history_augment;
-use super::describe::{element_get, element_history_init, element_info, write};
+use super::describe::{element_get, element_history_init, element_info};
 use super::evaluate::element_evaluate;
-use super::transfer::history_transfer;
+use super::histories::{history_augment, history_transfer};
+use super::pointers::write;
 use super::types::{Arguments, Info};
-use super::{Descriptor, argument, code};
-use crate::runtime::workspace;
+use crate::codes::{argument, code};
+use crate::element::kernel::workspace;
+use crate::registered::Registered;
 
 /// Slave nodes of an interpolated element that this interface has scratch for.
 const MOST_SLAVES: usize = 64;
@@ -17,7 +18,7 @@ const SCRATCH: usize = workspace(MOST_SLAVES + 16, 3, 2, true);
 ///
 /// # Safety
 /// `index` is null or points to an integer.
-unsafe fn element(elements: &[&'static Descriptor], index: *const i32) -> *const Descriptor {
+unsafe fn element(elements: &[&'static Registered], index: *const i32) -> *const Registered {
     // SAFETY: promised by the caller.
     match unsafe { index.as_ref() } {
         Some(&index) => element_get(elements, index),
@@ -40,7 +41,7 @@ unsafe fn integer(value: *const i32) -> i32 {
 /// All addresses are valid for the shapes that the header gives.
 #[allow(clippy::too_many_arguments)]
 pub unsafe fn evaluate(
-    elements: &[&'static Descriptor],
+    elements: &[&'static Registered],
     (index, request, nnode, nslave): (*const i32, *const i32, *const i32, *const i32),
     (x, u): (*const f64, *const f64),
     (parameters, parameter_count): (*const f64, *const i32),
@@ -58,7 +59,7 @@ pub unsafe fn evaluate(
             return;
         }
         let mut scratch = [0.0; SCRATCH];
-        let needs_scratch = (*element).interpolated;
+        let needs_scratch = (&*element).interpolated;
         let mut arguments = Arguments::EMPTY;
         arguments.request = integer(request) as u32;
         arguments.nnode = integer(nnode);
@@ -84,7 +85,7 @@ pub unsafe fn evaluate(
 /// # Safety
 /// All addresses are valid; `sizes` has 8 entries.
 pub unsafe fn info(
-    elements: &[&'static Descriptor],
+    elements: &[&'static Registered],
     index: *const i32,
     nnode: *const i32,
     sizes: *mut i32,
@@ -125,7 +126,7 @@ pub unsafe fn info(
 /// # Safety
 /// All addresses are valid.
 pub unsafe fn history_init(
-    elements: &[&'static Descriptor],
+    elements: &[&'static Registered],
     index: *const i32,
     values: *mut f64,
     result: *mut i32,
@@ -147,7 +148,7 @@ pub unsafe fn history_init(
 /// # Safety
 /// All addresses are valid for the shapes that the header gives.
 pub unsafe fn transfer(
-    elements: &[&'static Descriptor],
+    elements: &[&'static Registered],
     (from, from_output, from_history): (*const i32, *const f64, *const f64),
     (to, to_output, to_history): (*const i32, *const f64, *mut f64),
     (fault, result): (*mut i32, *mut i32),
@@ -180,7 +181,7 @@ pub unsafe fn transfer(
 /// # Safety
 /// All addresses are valid for the shapes that the header gives.
 pub unsafe fn augment(
-    elements: &[&'static Descriptor],
+    elements: &[&'static Registered],
     index: *const i32,
     (trial, accepted): (*const f64, *mut f64),
     (fault, result): (*mut i32, *mut i32),

@@ -1,112 +1,24 @@
 //! Texts of the interface: static, zero-terminated, each says what to do.
 
-use super::types::{Arguments, is_whole};
-use super::{Descriptor, argument, code};
+use super::types::Arguments;
+use super::versioned::is_whole;
+use crate::codes::{argument, code};
+use crate::messages::{argument_text, code_text, status_text};
+use crate::registered::Registered;
 
 /// What a return code means; `cte_code_message`.
 pub fn code_message(value: i32) -> *const u8 {
     code_text(value).as_ptr()
 }
 
-fn code_text(value: i32) -> &'static str {
-    match value {
-        code::SUCCESS => "success\0",
-        code::CUT_BACK => {
-            "a contact point cannot be evaluated in this state: redo the increment with a smaller step\0"
-        }
-        code::NULL => "a required pointer is null\0",
-        code::STRUCT_SIZE => {
-            "struct_size is smaller than this version's struct: set it to sizeof of the struct\0"
-        }
-        code::NODE_COUNT => "the number of nodes does not fit the element: see cte_element_info\0",
-        code::PARAMETER => {
-            "a parameter is missing or outside its range: see cte_element_parameter\0"
-        }
-        code::REQUEST => {
-            "an unknown request bit, or one the element does not offer: see cte_info.requests\0"
-        }
-        code::WORKSPACE => "the workspace is too small: see cte_info.workspace\0",
-        code::NOT_FINITE => "a value is NaN, infinite or larger than 1e30\0",
-        code::INDEX => "an index is out of range\0",
-        code::NAME => "no element of that name: see cte_element_get\0",
-        code::VERSION => "the library has another major version than the header\0",
-        code::STRIDE => "strides are negative, let entries overlap or reach beyond any memory\0",
-        code::HISTORY => {
-            "an entry of a history that no evaluation writes: no status, a projection or anchor far outside, a negative path, no regime of rolling, a positive multiplier, or not that of the output\0"
-        }
-        code::ELEMENT => {
-            "the element's history has no such entries, or those of another kind of element\0"
-        }
-        _ => "not a return code of this library\0",
-    }
-}
-
 /// What a status means; `cte_status_message`.
 pub fn status_message(value: i32) -> *const u8 {
-    let text = match value {
-        0 => "open\0",
-        1 => "closed\0",
-        2 => "stick: in contact, held by its anchor\0",
-        3 => "slip: in contact, sliding\0",
-        4 => "outside: the projection lies beyond an edge or vertex of the master\0",
-        5 => "not converged: the projection did not converge from its start\0",
-        6 => "not unique: focal surface, axis or parallel tangents\0",
-        7 => "degenerate: zero area or length, or zero distance in codimension 2 or 3\0",
-        8 => "law: the gap is outside the normal law's domain\0",
-        _ => "not a status of this library\0",
-    };
-    text.as_ptr()
+    status_text(value).as_ptr()
 }
 
 /// Name of an argument; `cte_argument_name`.
 pub fn argument_name(value: i32) -> *const u8 {
     argument_text(value).as_ptr()
-}
-
-fn argument_text(value: i32) -> &'static str {
-    match value {
-        argument::NONE => "none\0",
-        argument::STRUCT_SIZE => "struct_size\0",
-        argument::REQUEST => "request\0",
-        argument::NNODE => "nnode\0",
-        argument::NSLAVE => "nslave\0",
-        argument::X => "x\0",
-        argument::U => "u\0",
-        argument::PARAMETERS => "parameters\0",
-        argument::HISTORY_ACCEPTED => "history_accepted\0",
-        argument::HISTORY_TRIAL => "history_trial\0",
-        argument::SLAVE_ROW => "slave_row\0",
-        argument::F => "f\0",
-        argument::K => "k\0",
-        argument::K_STRIDE => "k_row_stride, k_col_stride\0",
-        argument::UNKNOWN_MAP => "unknown_map\0",
-        argument::SCALE => "f_scale, k_scale\0",
-        argument::OUTPUT => "output\0",
-        argument::ENERGY => "energy\0",
-        argument::WORKSPACE => "workspace\0",
-        argument::ELEMENT => "element\0",
-        argument::INFO => "info\0",
-        argument::ELEMENT_NAME => "element_name\0",
-        argument::BATCH => "batch\0",
-        argument::CONNECTIVITY => "connectivity\0",
-        argument::CSR => "csr_values, csr_map\0",
-        argument::STATUS => "status\0",
-        argument::FROM => "from\0",
-        argument::FROM_OUTPUT => "from_output\0",
-        argument::FROM_HISTORY => "from_history\0",
-        argument::TO => "to\0",
-        argument::TO_OUTPUT => "to_output\0",
-        argument::TO_HISTORY => "to_history\0",
-        argument::REACH => "reach\0",
-        argument::RESULT => "result\0",
-        argument::PATCH => "patch\0",
-        argument::FACETS => "facets\0",
-        argument::FACET => "facet\0",
-        argument::EDGE => "edge\0",
-        argument::VERTEX => "vertex\0",
-        argument::THREADS => "threads\0",
-        _ => "unknown\0",
-    }
 }
 
 /// Collects text into a caller's buffer and counts what did not fit.
@@ -157,7 +69,7 @@ impl Writer {
 /// # Safety
 /// Pointers come from this interface, or are null; `text` has room for `size` bytes.
 pub unsafe fn element_message(
-    element: *const Descriptor,
+    element: *const Registered,
     arguments: *const Arguments,
     value: i32,
     text: *mut u8,
@@ -199,7 +111,7 @@ unsafe fn whole<'a>(arguments: *const Arguments) -> Option<&'a Arguments> {
     unsafe { arguments.as_ref() }
 }
 
-fn describe_place(writer: &mut Writer, element: Option<&Descriptor>, arguments: &Arguments) {
+fn describe_place(writer: &mut Writer, element: Option<&Registered>, arguments: &Arguments) {
     if arguments.error_argument == argument::NONE {
         return;
     }

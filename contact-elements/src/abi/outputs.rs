@@ -1,97 +1,187 @@
 //! Where the outputs of each contact of a batch go.
 
-use super::batch_check::Checked;
-use super::places::Map;
-use super::target::Target;
-use super::{OUTPUT_SIZE, request};
+use super::ownership::Ownership;
+use super::pointers::{cells, if_wanted, outputs};
+use super::types::Batch;
+use crate::codes::{code, request};
+use crate::element::receiver::OUTPUT_SIZE;
+use crate::error::Error;
+use crate::evaluation::batch::run::Outputs;
+use crate::evaluation::batch::shape::Shape;
+use crate::evaluation::pattern::sizes;
+use crate::evaluation::places::Map;
+use crate::evaluation::target::{Entry, Matrix, Share, Shared, Target};
+use crate::point::values::Status;
 
-/// The outputs of the first contact, and how far those of the next are; 0 where there are none.
-#[derive(Clone, Copy)]
-pub(super) struct Outputs {
-    first: Target,
-    f: usize,
-    k: usize,
-    connectivity: usize,
-    output: usize,
-    history: usize,
-    energy: usize,
+/// The outputs of the contacts, and how far those of the next are.
+pub(super) struct Pointers<'s, 'a> {
+    shape: &'s Shape<'s>,
+    f: *mut f64,
+    k: *mut f64,
+    output: *mut f64,
+    history: *mut f64,
+    energy: *mut f64,
+    status: *mut i32,
+    code: *mut i32,
+    sums: Sums<'a>,
 }
 
-impl Outputs {
-    /// Of a batch whose pointers and strides were checked.
-    pub(super) fn new(checked: &Checked<'_>) -> Self {
-        let (element, batch) = (checked.element, checked.batch);
-        let unknowns = checked.unknowns();
-        let wanted = |bit: u32, pointer: *mut f64| {
-            if batch.request & bit == 0 {
-                core::ptr::null_mut()
-            } else {
+/// The host's force vector and sparse matrix.
+pub(super) struct Sums<'a> {
+    pub(super) global_f: *mut f64,
+    pub(super) csr_values: *mut f64,
+    map: Map<'a>,
+    connectivity: &'a [i32],
+    nodes: usize,
+    dimension: usize,
+    /// Which shared entries are this thread's to add to.
+    ownership: Ownership<'a>,
+}
+
+impl<'s, 'a> Pointers<'s, 'a> {
+    /// The outputs of the contacts of a shape, from contact `first` of the batch on.
+    ///
+    /// # Safety
+    /// The pointers of the batch are valid for the shapes that the header gives as long as this lives.
+    pub(super) unsafe fn new(
+        shape: &'s Shape<'s>,
+        batch: &Batch,
+        (first, map, connectivity): (usize, &'a [i64], &'a [i32]),
+        ownership: Ownership<'a>,
+    ) -> Self {
+        let element = shape.element;
+        let asked = |bit: u32, pointer: *mut f64| if_wanted(batch.request, bit, pointer);
+        let at = |pointer: *mut f64, apart: usize| {
+            if pointer.is_null() {
                 pointer
+            } else {
+                pointer.wrapping_add(first * apart)
             }
         };
-        let first = Target {
-            unknowns,
-            history_layout: element.history_layout(),
-            f: wanted(request::RESIDUAL, batch.f),
-            k: wanted(request::TANGENT, batch.k),
-            row_stride: unknowns,
-            column_stride: 1,
-            map: core::ptr::null(),
-            f_scale: checked.f_scale,
-            k_scale: checked.k_scale,
-            global_f: wanted(request::RESIDUAL, batch.global_f),
-            turn: checked.turn,
-            connectivity: batch.connectivity,
-            dimension: element.dimension,
-            csr_values: wanted(request::TANGENT, batch.csr_values),
-            csr_map: map(checked),
-            output: wanted(request::OUTPUT, batch.output),
-            history: wanted(request::HISTORY, batch.history_trial).cast(),
-            energy: wanted(request::ENERGY, batch.energy),
-        };
-        let step = |is_null: bool, step: usize| if is_null { 0 } else { step };
+        let output = element.points * OUTPUT_SIZE;
         Self {
-            f: step(first.f.is_null(), checked.f_stride),
-            k: step(first.k.is_null(), checked.k_stride),
-            connectivity: step(first.connectivity.is_null(), checked.nodes),
-            output: step(first.output.is_null(), element.points * OUTPUT_SIZE),
-            history: step(first.history.is_null(), element.history()),
-            energy: step(first.energy.is_null(), 1),
-            first,
-        }
-    }
-
-    /// Those of one contact; its offsets were checked.
-    #[inline(always)]
-    pub(super) fn of(&self, contact: usize) -> Target {
-        let first = &self.first;
-        Target {
-            f: first.f.wrapping_add(contact * self.f),
-            k: first.k.wrapping_add(contact * self.k),
-            connectivity: first.connectivity.wrapping_add(contact * self.connectivity),
-            csr_map: first.csr_map.of(contact),
-            output: first.output.wrapping_add(contact * self.output),
-            history: first.history.wrapping_add(contact * self.history),
-            energy: first.energy.wrapping_add(contact * self.energy),
-            ..*first
+            shape,
+            f: at(asked(request::RESIDUAL, batch.f), shape.f_stride),
+            k: at(asked(request::TANGENT, batch.k), shape.k_stride),
+            output: at(asked(request::OUTPUT, batch.output), output),
+            history: at(
+                asked(request::HISTORY, batch.history_trial),
+                element.history(),
+            ),
+            energy: at(asked(request::ENERGY, batch.energy), 1),
+            status: batch.status.wrapping_add(first),
+            code: if batch.code.is_null() {
+                batch.code
+            } else {
+                batch.code.wrapping_add(first)
+            },
+            sums: Sums {
+                global_f: asked(request::RESIDUAL, batch.global_f),
+                csr_values: asked(request::TANGENT, batch.csr_values),
+                map: Map::new(map, sizes(element, shape.nslave), shape.by_blocks()),
+                connectivity,
+                nodes: shape.nodes,
+                dimension: element.dimension,
+                ownership,
+            },
         }
     }
 }
 
-/// The scatter map of the first contact.
-fn map(checked: &Checked<'_>) -> Map {
-    let (element, batch) = (checked.element, checked.batch);
-    let has_blocks = batch.request & request::CSR_BY_BLOCKS != 0;
-    Map {
-        places: batch.csr_map,
-        step: if batch.csr_map.is_null() {
-            0
+impl Outputs for Pointers<'_, '_> {
+    #[inline]
+    fn target(&mut self, contact: usize) -> Target<'_> {
+        let (shape, element) = (self.shape, self.shape.element);
+        let unknowns = shape.unknowns();
+        let (output, history) = (element.points * OUTPUT_SIZE, element.history());
+        let at = |pointer: *mut f64, apart: usize| {
+            if pointer.is_null() {
+                pointer
+            } else {
+                pointer.wrapping_add(contact * apart)
+            }
+        };
+        let share = |sums: *mut f64| {
+            (!sums.is_null()).then_some(Share {
+                sums: &self.sums,
+                contact,
+            })
+        };
+        // SAFETY: promised by the caller of `new`: every array has entries for this contact, which nothing else refers
+        // to as long as its target lives.
+        unsafe {
+            Target {
+                unknowns,
+                dimension: element.dimension,
+                history_layout: element.history_layout(),
+                f: cells(at(self.f, shape.f_stride), unknowns),
+                k: match outputs(at(self.k, shape.k_stride), unknowns * unknowns) {
+                    [] => Matrix::None,
+                    matrix => Matrix::Dense(matrix),
+                },
+                map: None,
+                f_scale: shape.f_scale,
+                k_scale: shape.k_scale,
+                global_f: share(self.sums.global_f),
+                sparse: share(self.sums.csr_values),
+                output: outputs(at(self.output, output), output),
+                history: cells(at(self.history, history), history),
+                energy: outputs(at(self.energy, 1), 1),
+            }
+        }
+    }
+
+    #[inline]
+    fn note(&mut self, contact: usize, result: Result<Status, Error>) {
+        let (status, code) = match result {
+            Ok(status) => (status, code::SUCCESS),
+            Err(error) => (error.status.unwrap_or(Status::Open), error.code),
+        };
+        // SAFETY: promised by the caller of `new`: one entry per contact.
+        unsafe {
+            *self.status.add(contact) = status as i32;
+            if !self.code.is_null() {
+                *self.code.add(contact) = code;
+            }
+        }
+    }
+}
+
+impl Sums<'_> {
+    /// Model node of a node of a contact.
+    #[inline(always)]
+    fn node(&self, contact: usize, node: usize) -> usize {
+        let number = self.connectivity.get(contact * self.nodes + node);
+        number.map_or(0, |&number| number as usize)
+    }
+}
+
+impl Shared for Sums<'_> {
+    #[inline]
+    fn add_force(&self, contact: usize, node: usize, component: usize, value: f64) {
+        let node = self.node(contact, node);
+        let entry = node * self.dimension + component;
+        if self.ownership.is_mine(node) {
+            // SAFETY: the connectivity was checked against global_nodes, global_f has all their entries.
+            unsafe { *self.global_f.add(entry) += value };
         } else {
-            checked.map_size()
-        },
-        unknowns: checked.unknowns(),
-        dimension: element.dimension,
-        nodes: if has_blocks { checked.nodes } else { 0 },
-        positions: checked.nodes - element.multipliers(),
+            self.ownership.note_force(node, entry, value);
+        }
+    }
+
+    #[inline]
+    fn add_row(&self, contact: usize, entry: Entry, values: &[f64], scale: f64) {
+        let places = self.map.row(contact, entry);
+        if !self.ownership.is_free() {
+            let node = self.node(contact, self.map.node(entry.unknown));
+            if !self.ownership.is_mine(node) {
+                self.ownership.note_row(node, places, (values, scale));
+                return;
+            }
+        }
+        places.each(values, |place, value| {
+            // SAFETY: csr_map has the places of this contact, made by `csr_map` or `csr_blocks` for these values.
+            unsafe { *self.csr_values.add(place) += scale * value };
+        });
     }
 }

@@ -1,6 +1,6 @@
 //! The structs of `contact_elements.h`, field by field.
 
-use super::{Descriptor, Patch, Projection};
+use super::versioned::Versioned;
 
 /// `cte_info`.
 #[repr(C)]
@@ -217,93 +217,7 @@ impl Batch {
     };
 }
 
-/// `cte_api_table`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-#[allow(missing_docs)]
-pub struct ApiTable {
-    pub struct_size: u32,
-    pub version: u32,
-    pub element_count: unsafe extern "C" fn() -> i32,
-    pub element_get: unsafe extern "C" fn(i32) -> *const Descriptor,
-    pub element_find: unsafe extern "C" fn(*const u8, i32, *mut i32) -> i32,
-    pub element_info: unsafe extern "C" fn(*const Descriptor, i32, *mut Info) -> i32,
-    pub element_unknown:
-        unsafe extern "C" fn(*const Descriptor, i32, i32, *mut i32, *mut i32) -> i32,
-    pub element_parameter: unsafe extern "C" fn(
-        *const Descriptor,
-        i32,
-        *mut *const u8,
-        *mut *const u8,
-        *mut f64,
-        *mut f64,
-        *mut i32,
-    ) -> i32,
-    pub element_check_parameters:
-        unsafe extern "C" fn(*const Descriptor, *const f64, i32, *mut i32) -> i32,
-    pub element_history_init: unsafe extern "C" fn(*const Descriptor, *mut f64) -> i32,
-    pub element_evaluate: unsafe extern "C" fn(*const Descriptor, *mut Arguments) -> i32,
-    pub element_batch_workspace: unsafe extern "C" fn(*const Descriptor, i32) -> i64,
-    pub element_evaluate_batch: unsafe extern "C" fn(*const Descriptor, i64, *mut Batch) -> i32,
-    pub csr_map: unsafe extern "C" fn(
-        *const Descriptor,
-        i64,
-        i32,
-        *const i32,
-        i64,
-        *const i64,
-        *const i32,
-        *mut i64,
-    ) -> i32,
-    pub code_message: unsafe extern "C" fn(i32) -> *const u8,
-    pub status_message: unsafe extern "C" fn(i32) -> *const u8,
-    pub argument_name: unsafe extern "C" fn(i32) -> *const u8,
-    pub element_message:
-        unsafe extern "C" fn(*const Descriptor, *const Arguments, i32, *mut u8, i32) -> i32,
-    pub history_transfer: unsafe extern "C" fn(
-        *const Descriptor,
-        *const f64,
-        *const f64,
-        *const Descriptor,
-        *const f64,
-        *mut f64,
-        *mut i32,
-    ) -> i32,
-    pub history_augment:
-        unsafe extern "C" fn(*const Descriptor, *const f64, *mut f64, *mut i32) -> i32,
-    pub element_project: unsafe extern "C" fn(
-        *const Descriptor,
-        *mut Arguments,
-        f64,
-        *mut Projection,
-        *mut f64,
-    ) -> i32,
-    pub patch_info: unsafe extern "C" fn(*const Patch, *mut Info, *mut i32) -> i32,
-    pub patch_evaluate: unsafe extern "C" fn(*const Patch, *mut Arguments) -> i32,
-    pub element_evaluate_batch_threads:
-        unsafe extern "C" fn(*const Descriptor, i64, *mut Batch, i32) -> i32,
-    pub csr_blocks: unsafe extern "C" fn(
-        *const Descriptor,
-        i64,
-        i32,
-        *const i32,
-        i64,
-        *const i64,
-        *const i32,
-        *mut i64,
-    ) -> i32,
-}
-
-/// A struct whose first field is its size as the caller compiled it.
-///
-/// # Safety
-/// The type is `repr(C)` and begins with a `u32`.
-pub(super) unsafe trait Versioned {
-    /// Its size in interface 0.1, whose fields stood elsewhere. No later version may have this size.
-    const SIZE_IN_0_1: usize;
-}
-
-// SAFETY: all four are `repr(C)` and begin with `struct_size: u32`.
+// SAFETY: all three are `repr(C)` and begin with `struct_size: u32`.
 unsafe impl Versioned for Info {
     const SIZE_IN_0_1: usize = 152;
 }
@@ -315,21 +229,6 @@ unsafe impl Versioned for Arguments {
 unsafe impl Versioned for Batch {
     const SIZE_IN_0_1: usize = 336;
 }
-// SAFETY: as above.
-unsafe impl Versioned for Patch {
-    const SIZE_IN_0_1: usize = 120;
-}
-
-/// True where the caller's struct is one of this version or of a later one that begins like it.
-///
-/// # Safety
-/// `object` points to at least the first field of a struct.
-pub(super) unsafe fn is_whole<T: Versioned>(object: *const T) -> bool {
-    const { assert!(size_of::<T>() != T::SIZE_IN_0_1) };
-    // SAFETY: promised by the caller.
-    let size = unsafe { *object.cast::<u32>() } as usize;
-    size >= size_of::<T>() && size != T::SIZE_IN_0_1
-}
 
 // Sizes on every supported (64-bit) platform; the header's clients rely on them.
 #[cfg(target_pointer_width = "64")]
@@ -337,7 +236,4 @@ const _: () = {
     assert!(size_of::<Info>() == 88);
     assert!(size_of::<Arguments>() == 224);
     assert!(size_of::<Batch>() == 272);
-    assert!(size_of::<Patch>() == 56);
-    assert!(size_of::<Projection>() == 48);
-    assert!(size_of::<ApiTable>() == 192);
 };

@@ -18,6 +18,18 @@ pub struct Coordinates<'a> {
     pub component_stride: usize,
 }
 
+impl<'a> Coordinates<'a> {
+    /// Nodes one behind the other, from the first entry on.
+    pub fn one_by_one(values: &'a [f64], dimension: usize) -> Self {
+        Self {
+            values,
+            offset: 0,
+            node_stride: dimension,
+            component_stride: 1,
+        }
+    }
+}
+
 /// The nodes of one element.
 #[derive(Clone, Copy, Debug)]
 pub struct Nodes<'a> {

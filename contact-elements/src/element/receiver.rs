@@ -31,6 +31,9 @@ pub struct Call<'a> {
     pub wanted: Wanted,
 }
 
+/// Doubles of output per contact point: a [`Report`] entry by entry.
+pub const OUTPUT_SIZE: usize = 23;
+
 /// What is known of one contact point after an evaluation.
 #[derive(Clone, Copy, Debug)]
 pub struct Report {

@@ -29,6 +29,23 @@ pub enum Status {
 }
 
 impl Status {
+    /// The status with this number, as a history holds it.
+    pub fn of_number(number: f64) -> Option<Self> {
+        let all = [
+            Self::Open,
+            Self::Closed,
+            Self::Stick,
+            Self::Slip,
+            Self::Outside,
+            Self::NotConverged,
+            Self::NotUnique,
+            Self::Degenerate,
+            Self::Law,
+        ];
+        all.into_iter()
+            .find(|&status| f64::from(status as i32) == number)
+    }
+
     /// True for a point that carries load.
     #[inline(always)]
     pub fn is_closed(self) -> bool {

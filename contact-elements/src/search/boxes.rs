@@ -1,11 +1,11 @@
 //! Branch and bound over boxes of parameters.
 
-use super::descent::{Foot, definiteness, descended, dot, least_in_box, square};
+use super::closest::{Closest, MOST_BOXES, Verdict};
+use super::descent::{Foot, REGULAR, definiteness, descended, dot, least_in_box, square};
 use super::enclosure::{Enclosure, size};
 use super::interval::{Interval, MOST_OPERATIONS, Scratch};
+use super::pair::{Local, Sides};
 use super::region::{Box, FAR, Region};
-use super::sides::{Local, Sides};
-use super::{Closest, MOST_BOXES, Verdict};
 use crate::arithmetic::{abs, sqrt};
 
 /// Boxes that wait.
@@ -18,8 +18,6 @@ const SAME: f64 = 1e-10;
 const NEAR: f64 = 1e-6;
 /// Rounding of a distance, relative to the coordinates and tangents that it is made of.
 const ROUNDING: f64 = 1e-13;
-/// Least definiteness of a unique foot.
-pub(super) const REGULAR: f64 = 1e-13;
 
 /// The state of a search.
 pub(super) struct Search<'a> {

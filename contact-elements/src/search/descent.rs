@@ -1,13 +1,16 @@
 //! The one minimum of ½ r·r in a box over which F is positive definite.
 
+use super::pair::{Local, Sides};
 use super::region::Box;
-use super::sides::{Local, Sides};
 use crate::arithmetic::{abs, sqrt};
 
 /// Most Newton steps in one box.
 const MOST_STEPS: u32 = 60;
 /// Steps below this part of the box's width or of ζ end the search.
 const SMALL_STEP: f64 = 4.0 * f64::EPSILON;
+
+/// Least definiteness of a unique foot.
+pub(super) const REGULAR: f64 = 1e-13;
 
 /// A foot and its squared distance.
 #[derive(Clone, Copy, Debug)]

@@ -4,8 +4,8 @@
 
 use super::descent::square;
 use super::interval::{Interval, Scratch};
+use super::pair::{Local, Sides};
 use super::region::Box;
-use super::sides::{Local, Sides};
 use crate::arithmetic::sqrt;
 
 /// Lengths below this are zero.

@@ -3,7 +3,7 @@
 //! Bounds are finite, at most [`HUGE`]: nothing overflows, and no operation is invalid.
 
 use crate::arithmetic;
-use crate::program::{Operation, Program};
+use crate::table::{Operation, Table};
 
 /// What stands for no bound.
 pub(super) const HUGE: f64 = 1e150;
@@ -251,7 +251,7 @@ pub(super) const MOST_OPERATIONS: usize = 2048;
 
 /// The outputs of a program over a box of inputs, which the caller picks from `scratch` by their places; false
 /// where it has too many operations.
-pub(super) fn evaluate(program: &Program, inputs: &[Interval], scratch: &mut Scratch) -> bool {
+pub(super) fn evaluate(program: &Table, inputs: &[Interval], scratch: &mut Scratch) -> bool {
     if program.operations.len() > MOST_OPERATIONS {
         return false;
     }

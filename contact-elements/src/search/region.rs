@@ -1,7 +1,7 @@
 //! Domains of the projected parameters and boxes of them.
 
-use super::sides::Sides;
-use crate::runtime::Domain;
+use super::pair::Sides;
+use crate::point::domain::Domain;
 
 /// What stands for a missing bound of a domain.
 pub(super) const FAR: f64 = 1e12;

@@ -2,15 +2,15 @@
 
 use super::interval::{Interval, MOST_OPERATIONS, Scratch, evaluate};
 use crate::arithmetic::abs;
-use crate::program::Program;
-use crate::runtime::Domain;
+use crate::point::domain::Domain;
+use crate::table::Table;
 
 /// Pieces of the domain along either parameter.
 const PIECES: u32 = 4;
 
 /// An upper bound of Σ|N_A| over a bounded domain of two parameters: with ΣN_A = 1 no point is farther from any centre
 /// than this times the farthest node. Infinite where it cannot be told. [eq:spread]
-pub(crate) fn spread(program: &Program, nodes: usize, domain: &Domain) -> f64 {
+pub(crate) fn spread(program: &Table, nodes: usize, domain: &Domain) -> f64 {
     let (lower, upper, is_triangle) = match *domain {
         Domain::Interval(lower, upper) => ([lower, 0.0], [upper, 0.0], false),
         Domain::Rectangle(lower, upper) => (lower, upper, false),
@@ -43,7 +43,7 @@ pub(crate) fn spread(program: &Program, nodes: usize, domain: &Domain) -> f64 {
     most * (1.0 + 1e-12)
 }
 
-fn sum_of_sizes(program: &Program, nodes: usize, scratch: &Scratch) -> f64 {
+fn sum_of_sizes(program: &Table, nodes: usize, scratch: &Scratch) -> f64 {
     let shapes = program.outputs.iter().take(nodes);
     let sizes = shapes.map(|&(_, place)| match scratch.get(usize::from(place)) {
         Some(shape) => abs(shape.lower).max(abs(shape.upper)),

@@ -3,8 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use contact_elements::abi::{Evaluation, Outcome, code, evaluate};
-use contact_elements::runtime::Status;
+use contact_elements::{Error, Evaluation, Status, Summary, code, evaluate};
 
 use crate::pair::{Pair, State};
 use crate::vector::{Vector, add, cross, difference, largest, list, relative, turned};
@@ -339,7 +338,7 @@ fn a_part_without_weight_is_open() {
 }
 
 /// What an evaluation of the residual says, whatever it is, and the residual.
-fn outcome(pair: &Pair, x: &[f64]) -> (Outcome, Vec<f64>) {
+fn outcome(pair: &Pair, x: &[f64]) -> (Result<Summary, Error>, Vec<f64>) {
     const UNTOUCHED: f64 = -1.0;
     let mut residual = vec![UNTOUCHED; x.len()];
     let outcome = evaluate(
@@ -361,11 +360,12 @@ fn coincident_beams_are_degenerate() {
     let x = nodes(&line, &line, 0.0);
     let [point, line] = Beams::straight().parts;
     let (found, residual) = outcome(&line, &x);
-    assert_eq!(found.code, code::CUT_BACK);
-    assert_eq!(found.status(), Some(Status::Degenerate));
+    let error = found.expect_err("coincident");
+    assert!(error.is_cut_back());
+    assert_eq!(error.status, Some(Status::Degenerate));
     assert!(residual.iter().all(|&value| value == -1.0));
     let (found, residual) = outcome(&point, &x);
-    assert_eq!(found.status(), Some(Status::Open));
+    assert_eq!(found.map(|summary| summary.status), Ok(Status::Open));
     assert!(residual.iter().all(|&value| value == 0.0));
 }
 
@@ -375,7 +375,8 @@ fn a_window_has_a_width() {
     for high in [WINDOW[0], WINDOW[0] + 1e-7, 0.05] {
         pair.set("angle_high", high);
         let (found, _) = outcome(&pair, &straight(0.2));
-        assert_eq!((found.code, found.index), (code::PARAMETER, 3));
+        let error = found.expect_err("a window without width");
+        assert_eq!((error.code, error.index), (code::PARAMETER, 3));
     }
 }
 

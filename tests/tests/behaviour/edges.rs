@@ -1,7 +1,6 @@
 //! Sliding from facet to facet: the elastic slip goes along as a vector.
 
-use contact_elements::abi::{code, transfer};
-use contact_elements::runtime::Status;
+use contact_elements::{Entered, Left, Status, transfer};
 
 use crate::pair::{Pair, Point, State};
 use crate::vector::{Vector, add, difference, length, list, scaled, subtract};
@@ -63,11 +62,17 @@ impl Row {
         let facet = (0..self.facets.len()).find(closed).expect("some facet");
         // the accepted position on the facet to come, a little beyond its edge
         let mut to = fresh.at(&self.nodes(facet, *accepted));
-        let outcome = transfer(
-            (self.pair.element, &from.output, &self.pair.history),
-            (self.pair.element, &to.output, &mut to.history),
-        );
-        assert_eq!(outcome.code, code::SUCCESS, "{outcome:?}");
+        let left = Left {
+            element: self.pair.element,
+            output: &from.output,
+            history: &self.pair.history,
+        };
+        let entered = Entered {
+            element: self.pair.element,
+            output: &to.output,
+            history: &mut to.history,
+        };
+        transfer(left, entered).expect("carried");
         self.pair.history = to.history;
         self.on = facet;
         self.crossings += 1;

@@ -1,7 +1,7 @@
 //! The accepted history: what is kept, what begins, what is forced.
 
-use contact_elements::abi::{Evaluation, code, evaluate, fortran, request};
-use contact_elements::runtime::Status;
+use contact_elements::abi::fortran;
+use contact_elements::{Evaluation, Status, code, evaluate, request};
 
 use crate::pair::Pair;
 use crate::vector::{difference, largest};
@@ -169,7 +169,7 @@ fn a_frozen_state_keeps_its_branch() {
 fn a_short_history_is_refused() {
     let pair = facet();
     let (x, mut residual) = (at(0.1, 0.2, -0.05), vec![0.0; 15]);
-    let outcome = evaluate(
+    let result = evaluate(
         pair.element,
         &mut Evaluation {
             x: &x,
@@ -179,5 +179,5 @@ fn a_short_history_is_refused() {
             ..Evaluation::default()
         },
     );
-    assert_eq!(outcome.code, code::NULL);
+    assert_eq!(result.map_err(|error| error.code), Err(code::NULL));
 }

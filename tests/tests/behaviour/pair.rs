@@ -1,7 +1,6 @@
 //! A contact pair that is moved through configurations, its history accepted step by step.
 
-use contact_elements::abi::{Descriptor, Evaluation, OUTPUT_SIZE, Outcome, code, evaluate};
-use contact_elements::runtime::Status;
+use contact_elements::{Evaluation, OUTPUT_SIZE, Registered, Status, Summary, evaluate};
 use contact_library::ELEMENTS;
 
 use crate::vector::{Vector, add, cross, dot, scaled, unit};
@@ -9,7 +8,7 @@ use crate::vector::{Vector, add, cross, dot, scaled, unit};
 /// An element with its parameters and its accepted history.
 #[derive(Clone)]
 pub struct Pair {
-    pub element: &'static Descriptor,
+    pub element: &'static Registered,
     pub parameters: Vec<f64>,
     /// Empty: contact begins.
     pub history: Vec<f64>,
@@ -20,7 +19,7 @@ pub struct Pair {
 /// What an evaluation gives.
 #[derive(Clone, Debug)]
 pub struct State {
-    pub outcome: Outcome,
+    pub outcome: Summary,
     /// R: what the pair does to the nodes is −R.
     pub residual: Vec<f64>,
     /// K, row by row.
@@ -100,7 +99,7 @@ impl Pair {
         let mut residual = vec![0.0; unknowns];
         let mut output = vec![0.0; element.points * OUTPUT_SIZE];
         let mut history = vec![0.0; element.history()];
-        let outcome = evaluate(
+        let result = evaluate(
             element,
             &mut Evaluation {
                 x,
@@ -116,7 +115,7 @@ impl Pair {
                 ..Evaluation::default()
             },
         );
-        assert_eq!(outcome.code, code::SUCCESS, "{outcome:?} at {x:?}");
+        let outcome = result.unwrap_or_else(|error| panic!("{error} at {x:?}"));
         State {
             outcome,
             residual,

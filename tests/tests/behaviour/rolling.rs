@@ -1,7 +1,6 @@
 //! Moments about two curves: angles and moments known in closed form, history, what they balance.
 
-use contact_elements::abi::{Evaluation, argument, code, evaluate, request};
-use contact_elements::runtime::Status;
+use contact_elements::{Error, Evaluation, Status, argument, code, evaluate, request};
 
 use crate::pair::{Pair, State};
 use crate::vector::{Vector, add, cross, dot, scaled, unit};
@@ -236,9 +235,9 @@ fn frozen_regimes() {
     assert!((sticks - expected).abs() < 1e-14, "{sticks}");
 }
 
-/// Outcome with a history or parameters that cannot be used, or a curve that has no reference direction.
-fn refused(pair: &Pair, x: &[f64]) -> (i32, i32, i32, i32) {
-    let outcome = evaluate(
+/// Error with a history or parameters that cannot be used, or a curve that has no reference direction.
+fn refused(pair: &Pair, x: &[f64]) -> Error {
+    let result = evaluate(
         pair.element,
         &mut Evaluation {
             x,
@@ -247,12 +246,7 @@ fn refused(pair: &Pair, x: &[f64]) -> (i32, i32, i32, i32) {
             ..Evaluation::default()
         },
     );
-    (
-        outcome.code,
-        outcome.status,
-        outcome.argument,
-        outcome.index,
-    )
+    result.expect_err("refused")
 }
 
 #[test]
@@ -271,23 +265,23 @@ fn histories_and_curves_that_cannot_be() {
     ] {
         pair.history.clone_from(&whole);
         pair.history[entry] = value;
-        let (code, _, argument, index) = refused(&pair, &x);
+        let error = refused(&pair, &x);
         assert_eq!(
-            (code, argument, index),
-            (wrong, argument::HISTORY_ACCEPTED, entry as i32)
+            (error.code, error.argument, error.index),
+            (wrong, argument::HISTORY_ACCEPTED, entry)
         );
     }
     pair.history = whole;
     for component in ["slave_director_x", "slave_director_y", "slave_director_z"] {
         pair.set(component, 0.0);
     }
-    let degenerate = (code::CUT_BACK, Status::Degenerate as i32);
-    let (code, status, ..) = refused(&pair, &x);
-    assert_eq!((code, status), degenerate);
+    let degenerate = (code::CUT_BACK, Some(Status::Degenerate));
+    let error = refused(&pair, &x);
+    assert_eq!((error.code, error.status), degenerate);
     pair.set("slave_director_x", 0.1_f64.cos());
     pair.set("slave_director_z", -0.1_f64.sin());
-    let (code, status, ..) = refused(&pair, &x);
-    assert_eq!((code, status), degenerate);
+    let error = refused(&pair, &x);
+    assert_eq!((error.code, error.status), degenerate);
     // a straight Hermite curve has no principal normal
     let pair = Pair::new("HermiteHermiteBeamsRolling", &GIVEN);
     let mut x = touching([0.3, 0.4], 1.0, [0.0; 2]);
@@ -296,6 +290,6 @@ fn histories_and_curves_that_cannot_be() {
     x[12..].copy_from_slice(&straight);
     let slave = hermite([0.0, 0.0, L], [axes[2], axes[1], axes[0]], 0.5, 0.0);
     x[..12].copy_from_slice(&slave);
-    let (code, status, ..) = refused(&pair, &x);
-    assert_eq!((code, status), degenerate);
+    let error = refused(&pair, &x);
+    assert_eq!((error.code, error.status), degenerate);
 }

@@ -1,6 +1,6 @@
 //! From facet to edge to vertex: one pair for each point, forces that go on where the pair changes. [eq:transition]
 
-use contact_elements::abi::{Descriptor, Evaluation, Facets, OUTPUT_SIZE, code, evaluate_patch};
+use contact_elements::{Evaluation, OUTPUT_SIZE, Patch, Registered, evaluate_patch};
 use contact_library::{
     PointBezierCurve2Oriented, PointBezierSurface2, PointLine2, PointLine2In2d, PointLine2Oriented,
     PointLine3Oriented, PointPoint, PointPointOriented, PointPointOriented2d, PointQuad4,
@@ -31,14 +31,14 @@ impl Found {
 }
 
 struct Surface {
-    facets: Facets<'static>,
+    facets: Patch<'static>,
     nodes: Vec<f64>,
     parameters: Vec<f64>,
 }
 
 impl Surface {
     fn new(
-        [facet, edge, vertex]: [Option<&'static Descriptor>; 3],
+        [facet, edge, vertex]: [Option<&'static Registered>; 3],
         nodes: Vec<f64>,
         connectivity: &'static [i32],
         r0: f64,
@@ -48,7 +48,7 @@ impl Surface {
         let mut parameters = vec![EPS, r0];
         parameters.extend(facet.layout.orientation.map(|_| 1.0));
         Self {
-            facets: Facets {
+            facets: Patch {
                 facet,
                 edge,
                 vertex,
@@ -64,24 +64,24 @@ impl Surface {
 
     fn evaluate(&self, points: &[f64], history: &[f64]) -> Found {
         let d = self.facets.facet.dimension;
-        let facets = Facets {
+        let facets = Patch {
             slave_points: points.len() / d,
             ..self.facets
         };
         let x = [points, &self.nodes].concat();
         let n = x.len();
-        let [history_size, workspace, output] = facets.sizes();
+        let sizes = facets.sizes();
         let mut found = Found {
             status: 0,
             closed: 0,
             residual: vec![f64::NAN; n],
             tangent: vec![f64::NAN; n * n],
-            output: vec![f64::NAN; output],
+            output: vec![f64::NAN; sizes.output],
             energy: 0.0,
-            history: vec![f64::NAN; history_size],
+            history: vec![f64::NAN; sizes.history],
         };
         let mut energy = [f64::NAN];
-        let outcome = evaluate_patch(
+        let result = evaluate_patch(
             &facets,
             &mut Evaluation {
                 x: &x,
@@ -92,12 +92,13 @@ impl Surface {
                 output: &mut found.output,
                 trial: &mut found.history,
                 energy: &mut energy,
-                workspace: &mut vec![0.0; workspace],
+                workspace: &mut vec![0.0; sizes.workspace],
                 ..Evaluation::default()
             },
         );
-        assert_eq!(outcome.code, code::SUCCESS, "{outcome:?} at {points:?}");
-        (found.status, found.closed, found.energy) = (outcome.status, outcome.closed, energy[0]);
+        let summary = result.unwrap_or_else(|error| panic!("{error} at {points:?}"));
+        (found.status, found.energy) = (summary.status as i32, energy[0]);
+        found.closed = summary.closed as i32;
         found
     }
 
@@ -158,7 +159,7 @@ fn difference(a: &[f64], b: &[f64]) -> f64 {
     if worst == 0.0 { 0.0 } else { worst / top }
 }
 
-const QUADS: [Option<&Descriptor>; 3] = [
+const QUADS: [Option<&Registered>; 3] = [
     Some(PointQuad4::DESCRIPTOR),
     Some(PointLine2Oriented::DESCRIPTOR),
     Some(PointPointOriented::DESCRIPTOR),
@@ -475,8 +476,8 @@ fn displacements_count() {
         .map(|v| v - shift)
         .collect();
     let mut residual = vec![0.0; x.len()];
-    let [_, workspace, _] = surface.facets.sizes();
-    let outcome = evaluate_patch(
+    let workspace = surface.facets.sizes().workspace;
+    let result = evaluate_patch(
         &surface.facets,
         &mut Evaluation {
             x: &x,
@@ -487,6 +488,6 @@ fn displacements_count() {
             ..Evaluation::default()
         },
     );
-    assert_eq!((outcome.code, outcome.closed), (code::SUCCESS, 1));
+    assert_eq!(result.map(|summary| summary.closed), Ok(1));
     assert!(difference(&residual, &found.residual) < 1e-14);
 }

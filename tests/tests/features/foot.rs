@@ -1,6 +1,6 @@
 //! The foot that an evaluation finds, from far starts and beyond the corners of a triangle.
 
-use contact_elements::abi::{Descriptor, Evaluation, OUTPUT_SIZE, code, evaluate};
+use contact_elements::{Evaluation, OUTPUT_SIZE, Registered, evaluate};
 use contact_library::{Line2Line2Beams, PointLine2, PointLine3, PointTri3, PointTri6};
 
 const PROJECTION: usize = 4;
@@ -9,13 +9,13 @@ const FEATURE: usize = 10;
 
 /// Projection, iterations and feature of one point.
 fn found(
-    element: &Descriptor,
+    element: &Registered,
     x: &[f64],
     parameters: &[f64],
     history: &[f64],
 ) -> ([f64; 2], f64, f64) {
     let mut output = vec![0.0; OUTPUT_SIZE];
-    let outcome = evaluate(
+    let result = evaluate(
         element,
         &mut Evaluation {
             x,
@@ -25,7 +25,7 @@ fn found(
             ..Evaluation::default()
         },
     );
-    assert_eq!(outcome.code, code::SUCCESS, "{outcome:?}");
+    result.expect("evaluated");
     let zeta = [output[PROJECTION], output[PROJECTION + 1]];
     (zeta, output[ITERATIONS], output[FEATURE])
 }

@@ -1,23 +1,18 @@
 //! Global projection: known answers where Newton's method from the centre finds another point, and what is refused.
 
-use contact_elements::abi::{Descriptor, Outcome, Projection, Query, argument, code, project};
+use contact_elements::{Closest, Descriptor, Error, Query, Verdict, argument, code, project};
 use contact_library::{
     HermiteHermiteBeams, Line2Line2Beams, PointCircle2d, PointHelix, PointLine3In2d, PointQuad4,
     PointQuad4Coulomb, PointQuad9, PointSphere, PointTri3,
 };
 
-const INSIDE: i32 = 0;
-const BOUNDARY: i32 = 1;
-const NOT_UNIQUE: i32 = 2;
-const BEYOND: i32 = 3;
-
-fn found(element: &Descriptor, query: &Query<'_>) -> (Outcome, Projection) {
-    let mut result = [Projection::default()];
+fn found(element: &Descriptor, query: &Query<'_>) -> (Result<(), Error>, Closest) {
+    let mut result = [Closest::default()];
     let outcome = project(element, query, &mut result, &mut []);
     (outcome, result[0])
 }
 
-fn at(element: &Descriptor, x: &[f64], parameters: &[f64], reach: f64) -> Projection {
+fn at(element: &Descriptor, x: &[f64], parameters: &[f64], reach: f64) -> Closest {
     let query = Query {
         x,
         parameters,
@@ -25,7 +20,7 @@ fn at(element: &Descriptor, x: &[f64], parameters: &[f64], reach: f64) -> Projec
         ..Query::default()
     };
     let (outcome, result) = found(element, &query);
-    assert_eq!(outcome.code, code::SUCCESS, "{outcome:?}");
+    outcome.expect("projected");
     result
 }
 
@@ -53,9 +48,9 @@ fn features_of_a_square() {
             assert!((result.distance - distance).abs() < 1e-15 * 8.0);
             assert!((result.zeta[0] - foot[0]).abs() + (result.zeta[1] - foot[1]).abs() < 1e-14);
             let verdict = if result.feature == 0 {
-                INSIDE
+                Verdict::Inside
             } else {
-                BOUNDARY
+                Verdict::Boundary
             };
             assert_eq!(result.verdict, verdict);
             assert!((result.definiteness - 1.0).abs() < 1e-14);
@@ -86,18 +81,18 @@ fn two_feet_in_a_trough() {
         at(PointQuad9::DESCRIPTOR, &x, &FACET, 0.0)
     };
     let low = foot(0.0, 0.3);
-    assert_eq!(low.verdict, INSIDE);
+    assert_eq!(low.verdict, Verdict::Inside);
     // F/a = 1 − 2 z
     assert!((low.definiteness - 0.4).abs() < 1e-14, "{low:?}");
     let high = foot(0.0, 1.0);
-    assert_eq!(high.verdict, NOT_UNIQUE);
+    assert_eq!(high.verdict, Verdict::NotUnique);
     assert!(
         (high.zeta[0].abs() - 0.5_f64.sqrt()).abs() < 1e-12,
         "{high:?}"
     );
     for side in [-1.0, 1.0] {
         let near = foot(1e-3 * side, 1.0);
-        assert_eq!(near.verdict, INSIDE);
+        assert_eq!(near.verdict, Verdict::Inside);
         assert!(near.zeta[0] * side > 0.7, "{near:?}");
     }
     // on the focal line F vanishes at the foot, which is known to the root of the root of rounding
@@ -113,7 +108,7 @@ fn a_foot_beside_a_cut() {
         let (x, y) = (foot + 2.0 * foot * (foot * foot - 0.7), 0.7);
         let nodes = [x, y, -1.0, 1.0, 1.0, 1.0, 0.0, 0.0];
         let result = at(PointLine3In2d::DESCRIPTOR, &nodes, &FACET, 0.0);
-        assert_eq!(result.verdict, INSIDE, "{beside}: {result:?}");
+        assert_eq!(result.verdict, Verdict::Inside, "{beside}: {result:?}");
         assert!((result.zeta[0] - foot).abs() < 1e-13, "{result:?}");
     }
 }
@@ -127,7 +122,7 @@ fn the_nearest_turn() {
         let angle: f64 = std::f64::consts::TAU * turn + 0.3;
         let x = [1.2 * 0.3_f64.cos(), 1.2 * 0.3_f64.sin(), 0.05 * angle];
         let result = at(PointHelix::DESCRIPTOR, &x, &parameters, 0.0);
-        assert_eq!(result.verdict, INSIDE, "{result:?}");
+        assert_eq!(result.verdict, Verdict::Inside, "{result:?}");
         assert!(
             (result.zeta[0] - angle).abs() < 1e-10 * angle.abs().max(1.0),
             "{result:?}"
@@ -141,19 +136,23 @@ fn the_nearest_turn() {
 fn closed_projections() {
     let placed = |radius: f64| [1e3, 0.0, 1.0, radius, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
     let result = at(PointSphere::DESCRIPTOR, &[0.0, 3.0, 0.0], &placed(1.0), 0.0);
-    assert_eq!((result.verdict, result.boxes), (INSIDE, 0));
+    assert_eq!((result.verdict, result.boxes), (Verdict::Inside, 0));
     assert!((result.distance - 2.0).abs() < 1e-15);
     assert!((result.definiteness - 3.0).abs() < 1e-14);
     let plane = [1e3, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0];
     let centre = at(PointCircle2d::DESCRIPTOR, &[0.0, 0.0], &plane, 0.0);
-    assert_eq!(centre.verdict, NOT_UNIQUE, "{centre:?}");
+    assert_eq!(centre.verdict, Verdict::NotUnique, "{centre:?}");
 }
 
 /// Nothing is farther than the reach.
 #[test]
 fn reach() {
     let point = above([0.3, 0.2, 0.5]);
-    for (reach, verdict) in [(0.49, BEYOND), (0.51, INSIDE), (1e30, INSIDE)] {
+    for (reach, verdict) in [
+        (0.49, Verdict::Beyond),
+        (0.51, Verdict::Inside),
+        (1e30, Verdict::Inside),
+    ] {
         let result = at(PointQuad4::DESCRIPTOR, &point, &FACET, reach);
         assert_eq!(result.verdict, verdict, "{reach}");
     }
@@ -171,14 +170,14 @@ fn crossing_and_parallel_beams() {
     let crossing = beam([0.3, -1.0, 0.4], [0.0, 1.0, 0.0]);
     let x = [&first[..], &crossing].concat();
     let result = at(HermiteHermiteBeams::DESCRIPTOR, &x, &parameters, 0.0);
-    assert_eq!(result.verdict, INSIDE);
+    assert_eq!(result.verdict, Verdict::Inside);
     assert!((result.zeta[0] - 0.3).abs() + (result.zeta[1] - 0.2).abs() < 1e-14);
     assert!((result.distance - 0.4).abs() < 1e-15);
     let parallel = beam([-0.5, 0.2, 0.4], [1.0, 0.0, 0.0]);
     let x = [&first[..], &parallel].concat();
     let result = at(HermiteHermiteBeams::DESCRIPTOR, &x, &parameters, 0.0);
     assert!(
-        result.verdict == NOT_UNIQUE || result.verdict == 4,
+        result.verdict == Verdict::NotUnique || result.verdict == Verdict::Undecided,
         "{result:?}"
     );
 }
@@ -205,7 +204,7 @@ fn beams_that_meet_to_rounding() {
             let result = at(Line2Line2Beams::DESCRIPTOR, &x, &[1e3, 0.1], 0.0);
             let error = (result.distance - gap).abs();
             assert!(
-                result.verdict != BEYOND && error < 4e-15,
+                result.verdict != Verdict::Beyond && error < 4e-15,
                 "{gap} {turn}: {result:?}"
             );
         }
@@ -279,8 +278,7 @@ fn history_begins_at_the_foot() {
         parameters: &parameters,
         ..Query::default()
     };
-    let outcome = project(element, &query, &mut [Projection::default()], &mut history);
-    assert_eq!(outcome.code, code::SUCCESS);
+    project(element, &query, &mut [Closest::default()], &mut history).expect("projected");
     let expected = [0.0, 0.3, -0.6, 0.3, -0.6, 0.0];
     for (found, expected) in history.iter().zip(expected) {
         assert!((found - expected).abs() < 1e-15, "{history:?}");
@@ -298,8 +296,9 @@ fn bad_input() {
     };
     let fault = |query: &Query<'_>| {
         let (outcome, result) = found(element, query);
-        assert_eq!(result, Projection::default());
-        (outcome.code, outcome.argument, outcome.index)
+        assert_eq!(result, Closest::default());
+        let error = outcome.expect_err("refused");
+        (error.code, error.argument, error.index)
     };
     for reach in [f64::NAN, -1.0, f64::INFINITY] {
         let query = Query { reach, ..good };
@@ -321,14 +320,12 @@ fn bad_input() {
         ..good
     };
     assert_eq!(fault(&query), (code::PARAMETER, argument::PARAMETERS, 0));
-    let outcome = project(element, &good, &mut [], &mut []);
+    let error = project(element, &good, &mut [], &mut []).expect_err("refused");
+    assert_eq!((error.code, error.argument), (code::NULL, argument::RESULT));
+    let short = project(element, &good, &mut [Closest::default()], &mut [0.0; 2]);
+    let error = short.expect_err("refused");
     assert_eq!(
-        (outcome.code, outcome.argument),
-        (code::NULL, argument::RESULT)
-    );
-    let outcome = project(element, &good, &mut [Projection::default()], &mut [0.0; 2]);
-    assert_eq!(
-        (outcome.code, outcome.argument),
+        (error.code, error.argument),
         (code::NULL, argument::HISTORY_TRIAL)
     );
 }

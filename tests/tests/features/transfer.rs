@@ -1,9 +1,10 @@
 //! Elastic slip taken along from element to element: known answers, and what is refused.
 
-use contact_elements::abi::{
-    Descriptor, Evaluation, OUTPUT_SIZE, Outcome, argument, code, evaluate, transfer,
+use contact_elements::runtime::TangentPlane;
+use contact_elements::{
+    Entered, Error, Evaluation, Left, OUTPUT_SIZE, Registered, Status, argument, code, evaluate,
+    transfer,
 };
-use contact_elements::runtime::{Status, TangentPlane};
 use contact_library::{
     Line2Line2BeamsCoulomb, Line2Line2BeamsRolling, PointHermiteCoulomb, PointLine2Coulomb2d,
     PointQuad4, PointQuad4Coulomb,
@@ -14,7 +15,7 @@ const TOLERANCE: f64 = 1e-13;
 
 /// One evaluated contact point.
 struct Point {
-    element: &'static Descriptor,
+    element: &'static Registered,
     status: Option<Status>,
     force: Vec<f64>,
     output: Vec<f64>,
@@ -23,7 +24,7 @@ struct Point {
 
 impl Point {
     /// `old`: accepted history; empty: contact begins.
-    fn new(element: &'static Descriptor, x: &[f64], parameters: &[f64], old: &[f64]) -> Self {
+    fn new(element: &'static Registered, x: &[f64], parameters: &[f64], old: &[f64]) -> Self {
         let mut point = Self {
             element,
             status: None,
@@ -31,7 +32,7 @@ impl Point {
             output: vec![0.0; OUTPUT_SIZE],
             history: vec![0.0; element.history()],
         };
-        let outcome = evaluate(
+        let result = evaluate(
             element,
             &mut Evaluation {
                 x,
@@ -43,17 +44,23 @@ impl Point {
                 ..Evaluation::default()
             },
         );
-        assert_eq!(outcome.code, code::SUCCESS);
-        point.status = outcome.status();
+        point.status = Some(result.expect("evaluated").status);
         point
     }
 
     /// Takes over what `from` remembers.
-    fn receive(&mut self, from: &Point) -> Outcome {
-        transfer(
-            (from.element, &from.output, &from.history),
-            (self.element, &self.output, &mut self.history),
-        )
+    fn receive(&mut self, from: &Point) -> Result<Status, Error> {
+        let left = Left {
+            element: from.element,
+            output: &from.output,
+            history: &from.history,
+        };
+        let entered = Entered {
+            element: self.element,
+            output: &self.output,
+            history: &mut self.history,
+        };
+        transfer(left, entered)
     }
 
     /// s = b_i (ζ − ζ_st)^i
@@ -121,7 +128,7 @@ fn assert_near(found: &[f64], expected: &[f64]) {
 fn coplanar_facets_have_the_same_force_on_their_edge() {
     let from = slid(1.0);
     let mut to = quad([1.0, 0.35, -0.05], beside(0.0), &[]);
-    assert_eq!(to.receive(&from).status(), Some(Status::Slip));
+    assert_eq!(to.receive(&from), Ok(Status::Slip));
     assert_near(&to.slip(), &from.slip());
     let after = quad([1.0, 0.35, -0.05], beside(0.0), &to.history);
     assert_near(&after.force[..3], &from.force[..3]);
@@ -133,7 +140,7 @@ fn a_sliding_point_crosses_the_edge_as_on_one_plane() {
     let from = slid(0.97);
     let mut to = quad([0.97, 0.35, -0.05], beside(0.0), &[]);
     assert_eq!(to.status, Some(Status::Outside));
-    assert_eq!(to.receive(&from).code, code::SUCCESS);
+    to.receive(&from).expect("carried");
     let long = [
         [-1.0, -1.0, 0.0],
         [3.0, -1.0, 0.0],
@@ -141,7 +148,7 @@ fn a_sliding_point_crosses_the_edge_as_on_one_plane() {
         [-1.0, 1.0, 0.0],
     ];
     let mut whole = quad([0.97, 0.35, -0.05], long, &[]);
-    assert_eq!(whole.receive(&from).code, code::SUCCESS);
+    whole.receive(&from).expect("carried");
     let crossed = quad([1.17, 0.25, -0.05], beside(0.0), &to.history);
     let expected = quad([1.17, 0.25, -0.05], long, &whole.history);
     assert_eq!(crossed.status, Some(Status::Slip));
@@ -154,7 +161,7 @@ fn turned_facets_keep_the_length() {
     for angle in [0.3, -0.7, 1.5, 3.0] {
         let from = slid(0.999);
         let mut to = quad([0.999, 0.35, -0.05], beside(angle), &[]);
-        assert_eq!(to.receive(&from).code, code::SUCCESS);
+        to.receive(&from).expect("carried");
         let (old, new) = (from.slip(), to.slip());
         let (s, c) = angle.sin_cos();
         assert_near(&new, &[old[0] * c, old[1], old[0] * s]);
@@ -182,7 +189,7 @@ fn segments_of_the_plane() {
         ([1.0 + c, s, 1.0, 0.0], -1.0),
     ] {
         let mut to = point(0.954, &next, orientation, &[]);
-        assert_eq!(to.receive(&from).status(), Some(Status::Stick));
+        assert_eq!(to.receive(&from), Ok(Status::Stick));
         assert_near(&to.slip(), &[-0.004 * c, -0.004 * s, 0.0]);
     }
 }
@@ -205,7 +212,7 @@ fn a_kinked_wire_keeps_the_force() {
     let from = point(0.0, &first, &begins.history);
     assert_eq!(from.status, Some(Status::Stick));
     let mut to = point(0.0, &next, &[]);
-    assert_eq!(to.receive(&from).code, code::SUCCESS);
+    to.receive(&from).expect("carried");
     assert_near(&to.slip(), &[-0.01 * c, -0.01 * s, 0.0]);
     let after = point(0.0, &next, &to.history);
     assert_near(&[after.tangential()], &[from.tangential()]);
@@ -218,10 +225,11 @@ fn what_is_refused_is_named_and_not_written() {
         let (mut from, mut to) = (slid(0.97), fresh());
         change(&mut from, &mut to);
         let before: Vec<u64> = to.history.iter().map(|v| v.to_bits()).collect();
-        let outcome = to.receive(&from);
+        let result = to.receive(&from);
         let after: Vec<u64> = to.history.iter().map(|v| v.to_bits()).collect();
         assert_eq!(before, after, "written");
-        (outcome.code, outcome.argument, outcome.index)
+        let error = result.expect_err("refused");
+        (error.code, error.argument, error.index)
     };
     assert_eq!(
         refused(|from, _| from.output[14] = f64::NAN),
@@ -250,7 +258,7 @@ fn what_is_refused_is_named_and_not_written() {
     let mut open = slid(0.97);
     open.history[0] = f64::from(Status::Outside as i32);
     let (mut to, expected) = (fresh(), fresh());
-    assert_eq!(to.receive(&open).code, code::SUCCESS);
+    to.receive(&open).expect("carried");
     assert_eq!(to.history, expected.history, "nothing to carry");
 }
 
@@ -310,7 +318,7 @@ fn angles_about_curves() {
     );
     let initial = [0.0; 11];
     let mut to = Point::new(rolling, &beams(0.5, 0.05), &parameters, &initial);
-    assert_eq!(to.receive(&from).code, code::SUCCESS);
+    to.receive(&from).expect("carried");
     assert_eq!(to.history[6..], from.history[6..]);
     let history = to.history.clone();
     let again = Point::new(rolling, &beams(0.5, 0.05), &parameters, &history);
@@ -320,14 +328,14 @@ fn angles_about_curves() {
     let plain = Line2Line2BeamsCoulomb::DESCRIPTOR;
     let own = [100.0, 50.0, 0.5, 0.3];
     let mut frictional = Point::new(plain, &beams(0.5, 0.05), &own, &[0.0; 6]);
-    assert_eq!(frictional.receive(&from).code, code::SUCCESS);
+    frictional.receive(&from).expect("carried");
     assert_eq!(frictional.history[5], from.history[5]);
     let mut to = Point::new(rolling, &beams(0.5, 0.05), &parameters, &initial);
     let begun = to.history.clone();
-    assert_eq!(to.receive(&frictional).code, code::SUCCESS);
+    to.receive(&frictional).expect("carried");
     assert_eq!(to.history[6..], begun[6..]);
     from.history[10] = 5.0;
-    let outcome = to.receive(&from);
+    let error = to.receive(&from).expect_err("refused");
     let expected = (code::HISTORY, argument::FROM_HISTORY, 10);
-    assert_eq!((outcome.code, outcome.argument, outcome.index), expected);
+    assert_eq!((error.code, error.argument, error.index), expected);
 }

@@ -3,8 +3,9 @@
 
 use std::collections::BTreeSet;
 
-use contact_elements::abi::{Evaluation, OUTPUT_SIZE, Outcome, argument, code, evaluate, request};
-use contact_elements::runtime::Status;
+use contact_elements::{
+    Error, Evaluation, OUTPUT_SIZE, Status, Summary, argument, code, evaluate, request,
+};
 
 use super::Finding;
 use crate::subject::{Input, Subject, Wanted};
@@ -216,21 +217,19 @@ fn front_door(finding: &mut Finding, subjects: &[Subject], name: &str, faults: &
             workspace: vec![0.0; descriptor.workspace(5)],
             bits: 0,
         };
-        let good = called(subject, &mut data).code;
+        let good = called(subject, &mut data);
         change(&mut data);
         for array in data.outputs() {
             array.fill(1.0);
         }
         let outcome = called(subject, &mut data);
         let untouched = data.outputs().into_iter().flatten().all(|&mut v| v == 1.0);
-        if good == code::SUCCESS
-            && (outcome.code, outcome.argument) == (code, argument)
-            && untouched
-        {
+        let is_named = outcome.is_err_and(|error| (error.code, error.argument) == (code, argument));
+        if good.is_ok() && is_named && untouched {
             finding.pass();
         } else {
             finding.fail(format!(
-                "{what}: {good}, then {outcome:?}, untouched: {untouched}"
+                "{what}: {good:?}, then {outcome:?}, untouched: {untouched}"
             ));
         }
     }
@@ -248,7 +247,7 @@ impl Data {
     }
 }
 
-fn called(subject: &Subject, data: &mut Data) -> Outcome {
+fn called(subject: &Subject, data: &mut Data) -> Result<Summary, Error> {
     let slave_row: &[f64] = match subject.description.descriptor.interpolated {
         true => &data.slave_row,
         false => &[],

@@ -1,6 +1,6 @@
 //! States where elements tend to fail: boundaries, tiny gaps, degenerate and bad data.
 
-use contact_elements::runtime::Status;
+use contact_elements::{Error, Status};
 
 use super::Finding;
 use super::coverage::Seen;
@@ -105,7 +105,8 @@ fn one(finding: &mut Finding, seen: &mut Seen, subject: &Subject, case: &EdgeCas
             failed && answer.is_untouched()
         }
         Expected::BadInput => {
-            answer.outcome.is_some_and(|outcome| outcome.code < 0) && answer.is_untouched()
+            let refused = |outcome: Result<_, Error>| outcome.is_err_and(|e| !e.is_cut_back());
+            answer.outcome.is_some_and(refused) && answer.is_untouched()
         }
     };
     if !fine {

@@ -6,7 +6,7 @@ mod judge;
 mod local;
 mod states;
 
-use contact_elements::abi::{Projection, Query, code, project};
+use contact_elements::{Closest, Error, Query, Verdict, project};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -84,11 +84,10 @@ fn one(
     global: &mut Global,
 ) {
     let descriptor = subject.description.descriptor;
-    let mut results = vec![Projection::default(); descriptor.points];
+    let mut results = vec![Closest::default(); descriptor.points];
     let mut history = vec![0.0; descriptor.history()];
-    let outcome = project_all(subject, configuration, &mut results, &mut history);
-    if outcome != code::SUCCESS {
-        let failure = format!("state {index}: code {outcome}");
+    if let Err(error) = project_all(subject, configuration, &mut results, &mut history) {
+        let failure = format!("state {index}: {error}");
         return global.finding.fail(failure);
     }
     let judge = Judge::new(subject, configuration, extent.seed, index);
@@ -110,20 +109,24 @@ fn one(
     let beside = neighbour(configuration, extent.seed, index);
     let warm = local::evaluate(subject, &beside, &history);
     let judge = Judge::new(subject, &beside, extent.seed, index);
-    let was_inside = |q: usize| results.get(q).is_some_and(|found| found.verdict == 0);
+    let was_inside = |q: usize| {
+        results
+            .get(q)
+            .is_some_and(|found| found.verdict == Verdict::Inside)
+    };
     for (q, wrong) in global.warm.record(&judge, &warm, None, was_inside) {
         note(&mut global.finding, index, "warm", q, wrong);
     }
 }
 
-fn count(global: &mut Global, found: &Projection) {
+fn count(global: &mut Global, found: &Closest) {
     let verdict = global.verdicts.get_mut(found.verdict as usize);
     let feature = global.features.get_mut(found.feature as usize);
     for counter in [verdict, feature].into_iter().flatten() {
         *counter += 1;
     }
-    global.boxes.add(found.boxes as u64);
-    global.steps.add(found.steps as u64);
+    global.boxes.add(u64::from(found.boxes));
+    global.steps.add(u64::from(found.steps));
 }
 
 fn note(finding: &mut Finding, index: u64, start: &str, q: usize, wrong: Option<String>) {
@@ -133,13 +136,13 @@ fn note(finding: &mut Finding, index: u64, start: &str, q: usize, wrong: Option<
     }
 }
 
-/// The global projection through the interface; its code.
+/// The global projection of all points.
 fn project_all(
     subject: &Subject,
     configuration: &Configuration,
-    results: &mut [Projection],
+    results: &mut [Closest],
     history: &mut [f64],
-) -> i32 {
+) -> Result<(), Error> {
     let descriptor = subject.description.descriptor;
     let mut x = configuration.reference.clone();
     let mut u = configuration.displacement.clone();
@@ -154,5 +157,5 @@ fn project_all(
         slave_row: &subject.slave_row(&configuration.pair),
         reach: 0.0,
     };
-    project(descriptor, &query, results, history).code
+    project(descriptor, &query, results, history)
 }

@@ -1,6 +1,6 @@
 //! Output and trial history of every contact point against the oracle's report, entry by entry.
 
-use contact_elements::abi::OUTPUT_SIZE;
+use contact_elements::OUTPUT_SIZE;
 use contact_elements::runtime::Status;
 
 use crate::configurations::Configuration;

@@ -1,6 +1,6 @@
 //! Random states of every element and status against the oracle.
 
-use contact_elements::abi::OUTPUT_SIZE;
+use contact_elements::OUTPUT_SIZE;
 use contact_elements::runtime::Status;
 use rayon::prelude::*;
 use serde::Serialize;

@@ -2,7 +2,7 @@
 //!
 //! What either side yields is proven elsewhere. Here it is only which of the two an evaluation takes, bit for bit.
 
-use contact_elements::abi::code;
+use contact_elements::code;
 use contact_elements::runtime::Status;
 
 use super::{Finding, random};
@@ -149,7 +149,7 @@ impl Edges<'_> {
         pair.orientation = 0.0;
         let answer = self.evaluate(&self.subject.parameters(&pair), &[]);
         match answer.outcome {
-            Some(outcome) if outcome.code == code::NULL && answer.is_untouched() => Ok(()),
+            Some(Err(error)) if error.code == code::NULL && answer.is_untouched() => Ok(()),
             outcome => Err(format!("orientation 0 without history: {outcome:?}")),
         }
     }

@@ -1,13 +1,12 @@
-//! Calls of an element through the checks of the C interface.
+//! Calls of an element from Rust, with the checks of the C interface.
 
-use contact_elements::abi::{self, Evaluation, OUTPUT_SIZE, Outcome};
-use contact_elements::runtime::Status;
+use contact_elements::{Error, Evaluation, OUTPUT_SIZE, Status, Summary, evaluate};
 
 use super::Subject;
 use crate::oracle::solve::Couplings;
 
 impl Subject {
-    /// Calls the element through the C interface.
+    /// Calls the element.
     pub fn call(&self, input: &Input<'_>, wanted: Wanted) -> Answer {
         let descriptor = self.description.descriptor;
         let d = descriptor.dimension;
@@ -37,7 +36,7 @@ impl Subject {
             outcome: None,
         };
         let mut workspace = vec![0.0; descriptor.workspace(nodes)];
-        let outcome = abi::evaluate(
+        let outcome = evaluate(
             descriptor,
             &mut Evaluation {
                 x: &x,
@@ -119,8 +118,8 @@ pub struct Answer {
     pub history: Vec<f64>,
     /// What belongs to multipliers that are unknowns.
     pub couplings: Couplings,
-    /// Codes.
-    pub outcome: Option<Outcome>,
+    /// What the call returned.
+    pub outcome: Option<Result<Summary, Error>>,
 }
 
 impl Answer {
@@ -151,7 +150,10 @@ impl Answer {
 
     /// Status of the element.
     pub fn status(&self) -> Option<Status> {
-        self.outcome.and_then(|outcome| outcome.status())
+        match self.outcome? {
+            Ok(summary) => Some(summary.status),
+            Err(error) => error.status,
+        }
     }
 
     /// True where no output was written.

@@ -16,14 +16,15 @@ use std::vec::Vec;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use super::journal::{Journal, ROW, Sums, Turn};
 use super::owners::Owners;
-use crate::abi::batch::{self, Failures};
-use crate::abi::batch_check::{Checked, Layout};
-use crate::abi::sizes::Fault;
-use crate::abi::types::Batch;
-use crate::abi::{OUTPUT_SIZE, argument, code, request};
-use crate::runtime::Width;
+use crate::abi::batch::{Work, evaluate};
+use crate::abi::journal::{Journal, ROW, Sums};
+use crate::abi::outputs::Pointers;
+use crate::abi::ownership::Ownership;
+use crate::codes::{argument, code, request};
+use crate::error::Error;
+use crate::evaluation::batch::run::Failures;
+use crate::lanes::Width;
 
 /// A part has at least so many contacts: blocks of the kernels in lanes stay full.
 const FEWEST: usize = 16;
@@ -37,7 +38,7 @@ const MOST_WRITTEN: usize = 1 << 22;
 const ADDED_ALONE: usize = 1 << 12;
 
 /// The fault of a batch for which the memory ran out half-way.
-const NO_MEMORY: Fault = (code::WORKSPACE, argument::WORKSPACE, 0);
+const NO_MEMORY: Error = Error::new(code::WORKSPACE, argument::WORKSPACE, 0);
 
 /// One thread per processor, kept from the first call on; none where the system refuses them.
 fn pool() -> Option<&'static ThreadPool> {
@@ -53,33 +54,33 @@ fn pool() -> Option<&'static ThreadPool> {
 }
 
 /// Evaluates all contacts by several threads; 0: one per processor.
-pub(super) fn all(checked: Checked<'_>, threads: usize) -> Result<Failures, Fault> {
+pub(super) fn all(work: &Work<'_>, threads: usize) -> Result<Failures, Error> {
     let width = Width::widest();
-    let most = checked.count.div_ceil(FEWEST);
+    let most = work.shape.count.div_ceil(FEWEST);
     if threads == 1 || most < 2 {
-        return batch::all(checked, width);
+        return work.all(width);
     }
     let Some(pool) = pool() else {
-        return batch::all(checked, width);
+        return work.all(width);
     };
     let threads = match threads {
         0 => pool.current_num_threads(),
         threads => threads,
     };
     // a fault of the caller's workspace is one here too
-    checked.workspace()?;
-    let round = Round::new(&checked, width, threads.min(most));
+    work.workspace()?;
+    let round = Round::new(work, width, threads.min(most));
     let parts = round.as_ref().and_then(Round::parts);
     match (&round, parts) {
         (Some(round), Some(mut parts)) => pool.install(|| round.all(&mut parts)),
         // no memory: by one thread
-        _ => batch::all(checked, width),
+        _ => work.all(width),
     }
 }
 
 /// What all threads read.
 struct Round<'a> {
-    checked: &'a Checked<'a>,
+    work: &'a Work<'a>,
     width: Width,
     /// Of the shared entries, where there are any.
     owners: Option<Owners>,
@@ -90,12 +91,12 @@ struct Round<'a> {
 }
 
 /// Contacts that one thread evaluates in a round.
-struct Part {
+struct Part<'a> {
     first: usize,
     count: usize,
     mark: usize,
     workspace: Vec<f64>,
-    journal: Journal,
+    journal: Journal<'a>,
     failures: Failures,
 }
 
@@ -103,21 +104,21 @@ struct Part {
 // their own nodes and their own parts.
 unsafe impl Sync for Round<'_> {}
 // SAFETY: the journal points into the caller's map, which is only read.
-unsafe impl Send for Part {}
+unsafe impl Send for Part<'_> {}
 // SAFETY: as above; a part that is shared is only read.
-unsafe impl Sync for Part {}
+unsafe impl Sync for Part<'_> {}
 
 impl<'a> Round<'a> {
-    fn new(checked: &'a Checked<'a>, width: Width, parts: usize) -> Option<Self> {
-        let batch = checked.batch;
+    fn new(work: &'a Work<'a>, width: Width, parts: usize) -> Option<Self> {
+        let (batch, shape) = (work.batch, &work.shape);
         let adds_f = batch.request & request::RESIDUAL != 0 && !batch.global_f.is_null();
         let adds_k = batch.request & request::TANGENT != 0 && !batch.csr_values.is_null();
-        let mut most = checked.count.div_ceil(parts * ROUNDS).max(WORTH_A_ROUND);
+        let mut most = shape.count.div_ceil(parts * ROUNDS).max(WORTH_A_ROUND);
         let mut owners = None;
         if adds_f || adds_k {
             let nodes = usize::try_from(batch.global_nodes).ok()?;
             owners = Some(Owners::new(nodes)?);
-            let unknowns = checked.unknowns();
+            let unknowns = shape.unknowns();
             let numbers = if adds_k {
                 unknowns * (unknowns + ROW)
             } else {
@@ -126,10 +127,10 @@ impl<'a> Round<'a> {
             most = most.min(MOST_WRITTEN / numbers.max(1)).max(FEWEST);
         }
         // all rounds and parts of one size
-        let rounds = checked.count.div_ceil(parts * most);
-        let even = checked.count.div_ceil(parts * rounds.max(1));
+        let rounds = shape.count.div_ceil(parts * most);
+        let even = shape.count.div_ceil(parts * rounds.max(1));
         Some(Self {
-            checked,
+            work,
             width,
             owners,
             parts,
@@ -138,8 +139,8 @@ impl<'a> Round<'a> {
     }
 
     /// Parts with a workspace each.
-    fn parts(&self) -> Option<Vec<Part>> {
-        let needed = self.checked.element.workspace(self.checked.nodes);
+    fn parts(&self) -> Option<Vec<Part<'a>>> {
+        let needed = self.work.element.workspace(self.work.shape.nodes);
         let mut parts = Vec::new();
         parts.try_reserve_exact(self.parts).ok()?;
         for _ in 0..self.parts {
@@ -159,22 +160,22 @@ impl<'a> Round<'a> {
     }
 
     /// All rounds.
-    fn all(&self, parts: &mut [Part]) -> Result<Failures, Fault> {
+    fn all(&self, parts: &mut [Part<'a>]) -> Result<Failures, Error> {
         let mut failures = Failures::NONE;
         let (mut first, mut mark) = (0, 0);
-        while first < self.checked.count {
+        while first < self.work.shape.count {
             mark += parts.len();
             for (number, part) in parts.iter_mut().enumerate() {
                 part.first = first;
-                part.count = self.length.min(self.checked.count - first);
+                part.count = self.length.min(self.work.shape.count - first);
                 part.mark = mark - number;
                 first += part.count;
             }
             self.one(parts);
             for part in parts.iter() {
-                if failures.count == 0 && part.failures.count > 0 {
-                    failures.argument = part.failures.argument;
-                    failures.index = part.first + part.failures.index;
+                if let Some((contact, error)) = part.failures.first {
+                    let first = (part.first + contact, error);
+                    failures.first.get_or_insert(first);
                 }
                 failures.count += part.failures.count;
             }
@@ -186,7 +187,7 @@ impl<'a> Round<'a> {
     }
 
     /// One round.
-    fn one(&self, parts: &mut [Part]) {
+    fn one(&self, parts: &mut [Part<'a>]) {
         if let Some(owners) = &self.owners {
             parts
                 .par_iter()
@@ -208,86 +209,60 @@ impl<'a> Round<'a> {
         }
     }
 
+    /// Model nodes of the contacts of a part.
+    fn nodes(&self, part: &Part<'_>) -> &'a [i32] {
+        let nodes = self.work.shape.nodes;
+        let list = self.work.arrays.connectivity.unwrap_or(&[]);
+        let own = list.get(part.first * nodes..).unwrap_or_default();
+        own.get(..part.count * nodes).unwrap_or_default()
+    }
+
     /// Marks the nodes of a part.
-    fn mark(&self, owners: &Owners, part: &Part) {
-        let (nodes, list) = (self.checked.nodes, self.checked.batch.connectivity);
-        // SAFETY: the connectivity has n · nodes entries, checked against global_nodes.
-        unsafe {
-            let list =
-                core::slice::from_raw_parts(list.add(part.first * nodes), part.count * nodes);
-            owners.mark(list, part.mark);
-        }
+    fn mark(&self, owners: &Owners, part: &Part<'_>) {
+        // SAFETY: the connectivity was checked against global_nodes.
+        unsafe { owners.mark(self.nodes(part), part.mark) };
     }
 
     /// Evaluates the contacts of a part.
-    fn evaluate(&self, part: &mut Part) {
+    fn evaluate(&self, part: &mut Part<'a>) {
         part.journal.clear();
         part.failures = Failures::NONE;
         if part.count == 0 {
             return;
         }
-        let mut batch: Batch = *self.checked.batch;
-        let mut own: Checked<'_> = self.checked.part((part.first, part.count), &mut batch);
-        if let Some(owners) = &self.owners {
-            own.turn = Turn::new(&raw mut part.journal, owners.first(), part.mark);
-        }
-        part.failures = batch::evaluate(own, &mut part.workspace, self.width);
+        let work = self.work;
+        let shape = work.shape.part(part.count);
+        let arrays = work.arrays.part(&work.shape, part.first, part.count);
+        let map = work.map.get(part.first * shape.map_size()..);
+        let from = (part.first, map.unwrap_or_default(), self.nodes(part));
+        let ownership = match &self.owners {
+            // SAFETY: journal and marks live until the part is done, and nothing else refers to the journal.
+            Some(owners) => unsafe {
+                Ownership::new(&raw mut part.journal, owners.first(), part.mark)
+            },
+            None => Ownership::FREE,
+        };
+        // SAFETY: promised by the caller of the batch.
+        let mut outputs = unsafe { Pointers::new(&shape, work.batch, from, ownership) };
+        let memory = &mut part.workspace;
+        part.failures = evaluate(
+            work.element,
+            (&shape, &arrays),
+            &mut outputs,
+            memory,
+            self.width,
+        );
     }
 
     /// Adds what the parts wrote down, for a share of the nodes.
-    fn add(&self, parts: &[Part], share: usize, shares: usize) {
+    fn add(&self, parts: &[Part<'_>], share: usize, shares: usize) {
         let sums = Sums {
-            global_f: self.checked.batch.global_f,
-            csr_values: self.checked.batch.csr_values,
+            global_f: self.work.batch.global_f,
+            csr_values: self.work.batch.csr_values,
         };
         for part in parts {
             // SAFETY: the parts have been evaluated, and shares have no node in common.
             unsafe { part.journal.add(sums, share, shares) };
         }
-    }
-}
-
-impl Checked<'_> {
-    /// So many of its contacts, from `first` on; `batch` becomes their struct.
-    fn part<'b>(&self, (first, count): (usize, usize), batch: &'b mut Batch) -> Checked<'b>
-    where
-        Self: 'b,
-    {
-        let (map, history) = (self.map_size(), self.element.history());
-        let output = self.element.points * OUTPUT_SIZE;
-        batch.x = moved(batch.x, first, self.x.element);
-        batch.u = moved(batch.u, first, self.u.element);
-        batch.connectivity = moved(batch.connectivity, first, self.nodes);
-        batch.parameters = moved(batch.parameters, first, self.parameter_stride);
-        batch.history_accepted = moved(batch.history_accepted, first, history);
-        batch.slave_row = moved(batch.slave_row, first, self.nslave + 1);
-        batch.csr_map = moved(batch.csr_map, first, map);
-        batch.history_trial = moved(batch.history_trial, first, history).cast_mut();
-        batch.f = moved(batch.f, first, self.f_stride).cast_mut();
-        batch.k = moved(batch.k, first, self.k_stride).cast_mut();
-        batch.output = moved(batch.output, first, output).cast_mut();
-        batch.energy = moved(batch.energy, first, 1).cast_mut();
-        batch.status = moved(batch.status, first, 1).cast_mut();
-        batch.code = moved(batch.code, first, 1).cast_mut();
-        let shorter = |layout: Layout| Layout {
-            length: layout.length - (self.count - count) * layout.element,
-            ..layout
-        };
-        Checked {
-            batch,
-            count,
-            x: shorter(self.x),
-            u: shorter(self.u),
-            ..*self
-        }
-    }
-}
-
-/// The pointer moved to contact `first`, or null. Pointers that the request does not need are not looked at.
-fn moved<T>(pointer: *const T, first: usize, apart: usize) -> *const T {
-    if pointer.is_null() {
-        pointer
-    } else {
-        pointer.wrapping_add(first.wrapping_mul(apart))
     }
 }

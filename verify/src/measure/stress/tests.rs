@@ -66,8 +66,8 @@ fn another_status_is_noticed() {
         Status::Open,
     ] {
         let mut other = answer.clone();
-        if let Some(outcome) = &mut other.outcome {
-            outcome.status = status as i32;
+        if let Some(Ok(summary)) = &mut other.outcome {
+            summary.status = status;
         }
         let why = if status == Status::Open {
             "but not zero"
@@ -91,8 +91,8 @@ fn where_the_data_decide_nothing_a_refusal_will_do() {
         Verdict::Exact | Verdict::Undecided
     ));
     let mut refused = answer.clone();
-    if let Some(outcome) = &mut refused.outcome {
-        outcome.status = Status::NotConverged as i32;
+    if let Some(Ok(summary)) = &mut refused.outcome {
+        summary.status = Status::NotConverged;
     }
     assert_eq!(verdict(&case, &refused), Verdict::Undecided);
 }

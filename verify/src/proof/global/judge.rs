@@ -1,8 +1,8 @@
 //! Whether a foot is one, by the oracle's positions and tangents: the conditions of a minimum within the domain,
 //! random points and a grid of it.
 
-use contact_elements::abi::Projection;
 use contact_elements::runtime::Domain;
+use contact_elements::{Closest, Verdict};
 
 use crate::configurations::{Configuration, Stream};
 use crate::oracle::kinematics::Frame;
@@ -115,11 +115,11 @@ impl<'a> Judge<'a> {
     pub(super) fn global(
         &self,
         q: usize,
-        found: &Projection,
+        found: &Closest,
         is_compared: bool,
     ) -> Result<(), String> {
         let frame = &self.frames[q];
-        if found.verdict > 2 {
+        if matches!(found.verdict, Verdict::Beyond | Verdict::Undecided) {
             return Err(format!("undecided: {found:?}"));
         }
         let complain = |wrong: String| format!("{wrong}: {found:?}");
@@ -130,7 +130,7 @@ impl<'a> Judge<'a> {
                 "the distance at the foot is {distance:e}"
             )));
         }
-        if found.verdict == 0 {
+        if found.verdict == Verdict::Inside {
             is_minimum(frame, found.zeta).map_err(complain)?;
         }
         let mut nearest = self.sampled(q);

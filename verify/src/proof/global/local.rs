@@ -1,7 +1,7 @@
 //! The projection of an evaluation: Newton's method from its start, and the search within the domain behind it.
 
-use contact_elements::abi::{OUTPUT_SIZE, Projection};
 use contact_elements::runtime::Status;
+use contact_elements::{Closest, OUTPUT_SIZE};
 use serde::Serialize;
 
 use super::effort::{Effort, add};
@@ -39,7 +39,7 @@ impl Local {
         &mut self,
         judge: &Judge<'_>,
         answer: &Answer,
-        closest: Option<&[Projection]>,
+        closest: Option<&[Closest]>,
         counts: impl Fn(usize) -> bool,
     ) -> Vec<(usize, Option<String>)> {
         let failed = match answer.status() {

@@ -11,7 +11,7 @@ mod rolling;
 mod rows;
 mod site;
 
-use contact_elements::abi::OUTPUT_SIZE;
+use contact_elements::OUTPUT_SIZE;
 use contact_elements::runtime::Receiver;
 
 use crate::interpret::interpret;

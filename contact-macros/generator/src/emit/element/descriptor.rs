@@ -59,6 +59,7 @@ impl Facts<'_> {
                 pub const DESCRIPTOR: &'static ::contact_elements::abi::Descriptor = {
                     static DESCRIPTOR: ::contact_elements::abi::Descriptor =
                         ::contact_elements::abi::Descriptor {
+                            descriptor: ::contact_elements::Descriptor {
                             name: #text,
                             documentation: #documentation,
                             dimension: #d,
@@ -88,6 +89,7 @@ impl Facts<'_> {
                             domains: <#name as runtime::Element<#d, #p, #h>>::DOMAINS,
                             periods: <#name as runtime::Element<#d, #p, #h>>::PERIODS,
                             extents: <#name as runtime::Element<#d, #p, #h>>::EXTENTS,
+                            },
                             kernel,
                             lanes: #lanes,
                             screen: #screen,

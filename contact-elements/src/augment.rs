@@ -1,22 +1,23 @@
 //! The multipliers of a history brought up to a trial state. [eq:uzawa]
 
-use super::describe::write;
-use super::safe::Outcome;
-use super::sizes::{Fault, reported};
-use super::{Descriptor, argument, code};
-use crate::runtime::{Status, is_remembered, is_status, is_usable};
+use crate::arithmetic::is_usable;
+use crate::codes::{argument, code};
+use crate::descriptor::Descriptor;
+use crate::error::Error;
+use crate::point::history::{is_remembered, is_status};
+use crate::point::values::Status;
 
 /// Values that an evaluation can have written.
-fn check(element: &Descriptor, history: &[f64], name: i32) -> Result<(), Fault> {
+fn check(element: &Descriptor, history: &[f64], name: i32) -> Result<(), Error> {
     if let Some(entry) = history.iter().position(|&value| !is_usable(value)) {
-        return Err((code::NOT_FINITE, name, entry));
+        return Err(Error::new(code::NOT_FINITE, name, entry));
     }
     let (size, p) = (element.point_history(), element.projected);
     let layout = element.history_layout();
     let sides = layout.side_at()..layout.side_at() + layout.side;
     for (number, own) in history.chunks(size.max(1)).enumerate() {
         if let Some(entry) = element.impossible_side(own) {
-            return Err((code::HISTORY, name, number * size + entry));
+            return Err(Error::new(code::HISTORY, name, number * size + entry));
         }
     }
     let possible = |(entry, &value): (usize, &f64)| match entry.checked_rem(size).unwrap_or(0) {
@@ -29,7 +30,7 @@ fn check(element: &Descriptor, history: &[f64], name: i32) -> Result<(), Fault> 
         _ => value >= 0.0,
     };
     match history.iter().enumerate().position(|at| !possible(at)) {
-        Some(entry) => Err((code::HISTORY, name, entry)),
+        Some(entry) => Err(Error::new(code::HISTORY, name, entry)),
         None => Ok(()),
     }
 }
@@ -42,7 +43,7 @@ fn is_held(history: &[f64]) -> bool {
 
 /// Anchors that lie far outside once they are moved. The projections of trial and start differ by a step, so this is no
 /// pair of histories of one step.
-fn check_anchors(element: &Descriptor, trial: &[f64], accepted: &[f64]) -> Result<(), Fault> {
+fn check_anchors(element: &Descriptor, trial: &[f64], accepted: &[f64]) -> Result<(), Error> {
     let (size, p) = (element.point_history(), element.projected);
     for number in 0..element.points {
         let own = number * size..(number + 1) * size;
@@ -53,7 +54,7 @@ fn check_anchors(element: &Descriptor, trial: &[f64], accepted: &[f64]) -> Resul
             let moved = moved_anchor(element, trial, accepted, i);
             if moved.is_some_and(|anchor| !element.can_be_anchor(i, anchor)) {
                 let entry = number * size + 1 + p + i;
-                return Err((code::HISTORY, argument::HISTORY_TRIAL, entry));
+                return Err(Error::new(code::HISTORY, argument::HISTORY_TRIAL, entry));
             }
         }
     }
@@ -82,75 +83,31 @@ fn augment_point(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) {
     }
 }
 
-fn augmented(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) -> Result<(), Fault> {
+/// One step of Uzawa's iteration: the multipliers of an accepted history become those of a trial state.
+///
+/// `trial` is the trial history of a converged evaluation with `accepted`; `accepted` stays the state at the start of
+/// the step in all but its multipliers, and the anchors move with the points.
+///
+/// # Errors
+/// `accepted` is untouched and the error names the argument: [`ELEMENT`](crate::code::ELEMENT) for an element without
+/// multipliers in its history, [`NULL`](crate::code::NULL) for a history that is too short,
+/// [`NOT_FINITE`](crate::code::NOT_FINITE), [`HISTORY`](crate::code::HISTORY) for one that no evaluation writes, or
+/// for two that are not of one step.
+pub fn augment(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) -> Result<(), Error> {
     if !element.is_augmented() {
-        return Err((code::ELEMENT, argument::ELEMENT, 0));
+        return Err(Error::new(code::ELEMENT, argument::ELEMENT, 0));
     }
     let (length, size) = (element.history(), element.point_history());
-    let trial = trial
-        .get(..length)
-        .ok_or((code::NULL, argument::HISTORY_TRIAL, 0))?;
-    let accepted = accepted
-        .get_mut(..length)
-        .ok_or((code::NULL, argument::HISTORY_ACCEPTED, 0))?;
+    let trial = trial.get(..length);
+    let trial = trial.ok_or(Error::missing(argument::HISTORY_TRIAL))?;
+    let accepted = accepted.get_mut(..length);
+    let accepted = accepted.ok_or(Error::missing(argument::HISTORY_ACCEPTED))?;
     check(element, trial, argument::HISTORY_TRIAL)?;
     check(element, accepted, argument::HISTORY_ACCEPTED)?;
     check_anchors(element, trial, accepted)?;
-    for number in 0..element.points {
-        let own = number * size..(number + 1) * size;
-        if let (Some(trial), Some(accepted)) = (trial.get(own.clone()), accepted.get_mut(own)) {
-            augment_point(element, trial, accepted);
-        }
+    let points = accepted.chunks_exact_mut(size);
+    for (trial, accepted) in trial.chunks_exact(size).zip(points) {
+        augment_point(element, trial, accepted);
     }
     Ok(())
-}
-
-/// One step of Uzawa's iteration: `trial` is the new history of the converged evaluation with `accepted`, which
-/// gets its multipliers and is otherwise the state at the start of the step. On anything but
-/// [`code::SUCCESS`] it is as it was, and the outcome names the argument and its entry.
-pub fn augment(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) -> Outcome {
-    let (code, argument, index) = match augmented(element, trial, accepted) {
-        Ok(()) => (code::SUCCESS, argument::NONE, 0),
-        Err(fault) => fault,
-    };
-    Outcome {
-        code,
-        status: Status::Open as i32,
-        closed: 0,
-        argument,
-        index: reported(index),
-    }
-}
-
-/// `cte_history_augment`.
-///
-/// # Safety
-/// `element` comes from this interface or is null; the histories have its length or are null.
-pub unsafe fn history_augment(
-    element: *const Descriptor,
-    trial: *const f64,
-    accepted: *mut f64,
-    fault: *mut i32,
-) -> i32 {
-    let pointers = [
-        (element.is_null(), argument::ELEMENT),
-        (trial.is_null(), argument::HISTORY_TRIAL),
-        (accepted.is_null(), argument::HISTORY_ACCEPTED),
-    ];
-    let (code, name) = match pointers.iter().find(|(null, _)| *null) {
-        Some(&(_, name)) => (code::NULL, name),
-        // SAFETY: promised by the caller; none is null.
-        None => unsafe {
-            let element = &*element;
-            let outcome = augment(
-                element,
-                core::slice::from_raw_parts(trial, element.history()),
-                core::slice::from_raw_parts_mut(accepted, element.history()),
-            );
-            (outcome.code, outcome.argument)
-        },
-    };
-    // SAFETY: promised by the caller.
-    unsafe { write(fault, name) };
-    code
 }

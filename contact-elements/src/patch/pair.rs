@@ -1,14 +1,21 @@
 //! The pair that a slave point takes part in: with a facet, an edge or a vertex.
 
-use super::super::safe::{Evaluation, Outcome, evaluate};
-use super::super::sizes::Fault;
-use super::super::{Descriptor, OUTPUT_SIZE, argument, code, request};
 use super::boundary::{Corners, Feature, MOST_NODES, nodes_of_edge};
 use super::checked::{Checked, List};
-use super::place::{Place, Values};
-use super::side::{relative, side};
+use super::closest_place::ClosestPlace;
+use super::pseudonormal::{relative, side};
+use super::values::Values;
 use crate::arithmetic::abs;
-use crate::runtime::Status;
+use crate::codes::{argument, code, request};
+use crate::element::gather::{Coordinates, Nodes};
+use crate::element::receiver::{Call, OUTPUT_SIZE, Summary};
+use crate::error::Error;
+use crate::evaluation::inputs::{check_parameters, wanted};
+use crate::evaluation::single::{cells, run};
+use crate::evaluation::target::{Matrix, Target};
+use crate::point::history::History;
+use crate::point::values::Status;
+use crate::registered::Registered;
 
 /// Most unknowns of a pair.
 const MOST_UNKNOWNS: usize = 3 * (1 + MOST_NODES);
@@ -16,15 +23,15 @@ const MOST_UNKNOWNS: usize = 3 * (1 + MOST_NODES);
 const ON_IT: f64 = 1e-14;
 
 /// What a pair gives.
-pub(super) struct Answer {
-    pub(super) residual: [f64; MOST_UNKNOWNS],
-    pub(super) tangent: [f64; MOST_UNKNOWNS * MOST_UNKNOWNS],
-    pub(super) output: [f64; OUTPUT_SIZE],
-    pub(super) energy: f64,
+pub(crate) struct Answer {
+    pub(crate) residual: [f64; MOST_UNKNOWNS],
+    pub(crate) tangent: [f64; MOST_UNKNOWNS * MOST_UNKNOWNS],
+    pub(crate) output: [f64; OUTPUT_SIZE],
+    pub(crate) energy: f64,
 }
 
 impl Answer {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             residual: [0.0; MOST_UNKNOWNS],
             tangent: [0.0; MOST_UNKNOWNS * MOST_UNKNOWNS],
@@ -46,26 +53,26 @@ enum Foot {
 }
 
 /// One pair.
-pub(super) struct Pair {
-    element: &'static Descriptor,
+pub(crate) struct Pair<'a> {
+    element: &'a Registered,
     slave: usize,
     /// Nodes of the patch.
     list: List,
     values: Values,
-    pub(super) place: Place,
+    pub(crate) place: ClosestPlace,
     /// Parameters on the master of the pair.
     zeta: [f64; 2],
     side: f64,
     foot: Foot,
 }
 
-impl Pair {
-    /// Of a place that was just found; none where no lower pair was declared for it.
-    pub(super) fn new(
-        checked: &Checked<'_>,
+impl<'a> Pair<'a> {
+    /// The pair of a place that was just found; `None` where no lower pair was declared for it.
+    pub(crate) fn new(
+        checked: &Checked<'a>,
         slave: usize,
-        place: &Place,
-    ) -> Result<Option<Self>, Fault> {
+        place: &ClosestPlace,
+    ) -> Result<Option<Self>, Error> {
         let (r, tangents) = relative(checked, slave, place.facet, place.zeta)?;
         let largest = |top: f64, value: &f64| top.max(abs(*value));
         let size = tangents.iter().flatten().fold(0.0, largest);
@@ -77,11 +84,11 @@ impl Pair {
     }
 
     fn with(
-        checked: &Checked<'_>,
+        checked: &Checked<'a>,
         slave: usize,
-        place: &Place,
+        place: &ClosestPlace,
         (side, foot): (f64, Foot),
-    ) -> Result<Option<Self>, Fault> {
+    ) -> Result<Option<Self>, Error> {
         let nodes = checked.of_facet(place.facet);
         let at = |node: usize| nodes.get(node).copied().unwrap_or(0);
         let mut pair = Self {
@@ -103,7 +110,7 @@ impl Pair {
                 let Some(edge) = checked.edge else {
                     return Ok(None);
                 };
-                let refused = (code::ELEMENT, argument::EDGE, 0);
+                let refused = Error::new(code::ELEMENT, argument::EDGE, 0);
                 let own = nodes_of_edge(checked.facet, &checked.corners, k, edge);
                 let own = own.ok_or(refused)?;
                 let [domain, _] = &edge.domains;
@@ -130,7 +137,7 @@ impl Pair {
     }
 
     /// Stores what [`Pair::kept`] needs.
-    pub(super) fn keep(&self, memory: &mut [f64]) {
+    pub(crate) fn keep(&self, memory: &mut [f64]) {
         let [first, second] = self.place.zeta;
         let kept = [
             (self.place.facet + 1) as f64,
@@ -145,19 +152,19 @@ impl Pair {
         }
     }
 
-    /// The pair that was stored; none where there was none.
-    pub(super) fn kept(
-        checked: &Checked<'_>,
+    /// The pair that was stored; `None` where there was none.
+    pub(crate) fn kept(
+        checked: &Checked<'a>,
         slave: usize,
         memory: &[f64],
-    ) -> Result<Option<Self>, Fault> {
+    ) -> Result<Option<Self>, Error> {
         let &[facet, feature, first, second, side, foot] = memory else {
             return Ok(None);
         };
         let Some(facet) = (facet as usize).checked_sub(1) else {
             return Ok(None);
         };
-        let place = Place {
+        let place = ClosestPlace {
             facet,
             feature: feature as u8,
             zeta: [first, second],
@@ -168,22 +175,23 @@ impl Pair {
     }
 
     /// Evaluates the pair. `bits`: what is wanted, and FREEZE_STATE.
-    pub(super) fn evaluate(
+    pub(crate) fn evaluate(
         &mut self,
-        checked: &Checked<'_>,
+        checked: &Checked<'a>,
         answer: &mut Answer,
         bits: u32,
-    ) -> Outcome {
-        let outcome = self.once(checked, answer, bits);
-        if outcome.status() != Some(Status::Outside) || self.foot != Foot::Free {
-            return outcome;
+    ) -> Result<Summary, Error> {
+        let result = self.once(checked, answer, bits);
+        let is_outside = result.is_ok_and(|summary| summary.status == Status::Outside);
+        if !is_outside || self.foot != Foot::Free {
+            return result;
         }
         self.foot = Foot::Given;
         self.once(checked, answer, bits)
     }
 
     /// Positions and displacements of the pair's nodes.
-    fn coordinates(&self, checked: &Checked<'_>) -> [[f64; MOST_UNKNOWNS]; 2] {
+    fn coordinates(&self, checked: &Checked<'a>) -> [[f64; MOST_UNKNOWNS]; 2] {
         let d = self.element.dimension;
         let (mut x, mut u) = ([0.0; MOST_UNKNOWNS], [0.0; MOST_UNKNOWNS]);
         let Some(nodes) = &checked.nodes else {
@@ -199,7 +207,7 @@ impl Pair {
     }
 
     /// Unknowns of the pair.
-    pub(super) fn unknowns(&self) -> usize {
+    pub(crate) fn unknowns(&self) -> usize {
         self.element.dimension * (1 + self.element.master_nodes)
     }
 
@@ -218,14 +226,19 @@ impl Pair {
     }
 
     /// Unknown of the patch.
-    pub(super) fn unknown(&self, own: usize) -> usize {
+    pub(crate) fn unknown(&self, own: usize) -> usize {
         let d = self.element.dimension;
         let (node, k) = self.place_of(own, d);
         node.unwrap_or(0) * d + k
     }
 
-    fn once(&self, checked: &Checked<'_>, answer: &mut Answer, bits: u32) -> Outcome {
-        let n = self.unknowns();
+    fn once(
+        &self,
+        checked: &Checked<'a>,
+        answer: &mut Answer,
+        bits: u32,
+    ) -> Result<Summary, Error> {
+        let (element, n) = (self.element, self.unknowns());
         let [x, u] = self.coordinates(checked);
         let status = checked.remembered(self.slave, 0).unwrap_or(0.0);
         let history = [status, self.zeta[0], self.zeta[1]];
@@ -233,25 +246,43 @@ impl Pair {
             Foot::Free => 0,
             Foot::Given | Foot::OnFacet => request::PROJECTION_GIVEN,
         };
-        let wanted = |bit: u32, length: usize| if bits & bit == 0 { 0 } else { length };
+        check_parameters(element, self.values.slice())?;
+        let coordinates = |values| Coordinates::one_by_one(values, element.dimension);
+        let nodes = Nodes {
+            x: coordinates(&x),
+            u: Some(coordinates(&u)),
+            connectivity: None,
+            count: 1 + element.master_nodes,
+        };
+        let call = Call {
+            parameters: self.values.slice(),
+            history: history.get(..1 + element.projected).map(History::Own),
+            slave_row: &[],
+            wanted: wanted(given | bits),
+        };
+        let length = |bit: u32, length: usize| if bits & bit == 0 { 0 } else { length };
         let mut energy = [0.0];
-        let outcome = evaluate(
-            self.element,
-            &mut Evaluation {
-                x: x.get(..n).unwrap_or(&[]),
-                u: u.get(..n).unwrap_or(&[]),
-                parameters: self.values.slice(),
-                history: history.get(..1 + self.element.projected).unwrap_or(&[]),
-                residual: first(&mut answer.residual, wanted(request::RESIDUAL, n)),
-                tangent: first(&mut answer.tangent, wanted(request::TANGENT, n * n)),
-                output: &mut answer.output,
-                energy: first(&mut energy, wanted(request::ENERGY, 1)),
-                bits: given | bits & request::FREEZE_STATE,
-                ..Evaluation::default()
+        let mut target = Target {
+            unknowns: n,
+            dimension: element.dimension,
+            history_layout: element.history_layout(),
+            f: cells(first(&mut answer.residual, length(request::RESIDUAL, n))),
+            k: match first(&mut answer.tangent, length(request::TANGENT, n * n)) {
+                [] => Matrix::None,
+                matrix => Matrix::Dense(matrix),
             },
-        );
+            map: None,
+            f_scale: 1.0,
+            k_scale: 1.0,
+            global_f: None,
+            sparse: None,
+            output: &mut answer.output,
+            history: &[],
+            energy: first(&mut energy, length(request::ENERGY, 1)),
+        };
+        let result = run(element, (&call, &nodes), &mut [], &mut target, false);
         answer.energy = energy[0];
-        outcome
+        result
     }
 }
 

@@ -1,11 +1,15 @@
 //! Both sides of a contact point for the global projection, in a frame of their own.
 
-use super::sizes::Fault;
-use super::{Descriptor, argument, code};
+use super::pair::{Side, Sides};
+use crate::arithmetic::is_usable;
 use crate::arithmetic::sqrt;
-use crate::program::{GeometryPrograms, MasterDescription, SlaveDescription};
-use crate::runtime::{Nodes, Placement, dot, is_usable};
-use crate::search::{Side, Sides};
+use crate::codes::{argument, code};
+use crate::descriptor::Descriptor;
+use crate::element::gather::Nodes;
+use crate::error::Error;
+use crate::point::placement::Placement;
+use crate::point::values::dot;
+use crate::table::{GeometryPrograms, MasterDescription, SlaveDescription};
 
 /// Most nodes of a side that is searched.
 const MOST_NODES: usize = 32;
@@ -13,7 +17,7 @@ const MOST_NODES: usize = 32;
 const MOST_OUTPUTS: usize = 512;
 
 /// Nodes of both sides in the frame of the search.
-pub(super) struct Gathered<'a> {
+pub(crate) struct Gathered<'a> {
     element: &'a Descriptor,
     parameters: &'a [f64],
     slave: [[f64; 3]; MOST_NODES],
@@ -28,7 +32,7 @@ struct Frame {
 }
 
 impl Frame {
-    fn new(element: &Descriptor, nodes: &Nodes<'_>, parameters: &[f64]) -> Result<Self, Fault> {
+    fn new(element: &Descriptor, nodes: &Nodes<'_>, parameters: &[f64]) -> Result<Self, Error> {
         let rigid = element.master_nodes == 0;
         let mut placement = Placement::identity();
         if let Some(at) = element.layout.placement {
@@ -89,16 +93,16 @@ fn position(
     element: &Descriptor,
     nodes: &Nodes<'_>,
     a: usize,
-) -> Result<([f64; 3], [f64; 3]), Fault> {
+) -> Result<([f64; 3], [f64; 3]), Error> {
     let (mut x, mut u) = ([0.0; 3], [0.0; 3]);
     for k in (0..3).take(element.dimension) {
         x[k] = nodes.x.entry(nodes.number(a), k);
         u[k] = nodes.u.map_or(0.0, |u| u.entry(nodes.number(a), k));
         if !is_usable(x[k]) {
-            return Err((code::NOT_FINITE, argument::X, a));
+            return Err(Error::new(code::NOT_FINITE, argument::X, a));
         }
         if !is_usable(u[k]) {
-            return Err((code::NOT_FINITE, argument::U, a));
+            return Err(Error::new(code::NOT_FINITE, argument::U, a));
         }
     }
     Ok((x, u))
@@ -106,12 +110,12 @@ fn position(
 
 impl<'a> Gathered<'a> {
     /// Reads the nodes; of an interpolated slave its point alone.
-    pub(super) fn new(
+    pub(crate) fn new(
         element: &'a Descriptor,
         nodes: &Nodes<'_>,
         parameters: &'a [f64],
         row: &[f64],
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, Error> {
         let frame = Frame::new(element, nodes, parameters)?;
         let slaves = if element.interpolated {
             row.len().saturating_sub(1)
@@ -139,7 +143,7 @@ impl<'a> Gathered<'a> {
                 None if element.interpolated => {
                     let share = row.get(a).copied().unwrap_or(0.0);
                     if !is_usable(share) {
-                        return Err((code::NOT_FINITE, argument::SLAVE_ROW, a));
+                        return Err(Error::new(code::NOT_FINITE, argument::SLAVE_ROW, a));
                     }
                     excess -= share;
                     for (sum, x) in point.iter_mut().zip(x) {
@@ -160,7 +164,7 @@ impl<'a> Gathered<'a> {
     }
 
     /// The middle of the master's nodes as seen from the first slave node, and how far they are from it.
-    pub(super) fn surroundings(&self) -> ([f64; 3], f64) {
+    pub(crate) fn surroundings(&self) -> ([f64; 3], f64) {
         let nodes = self.master.get(..self.element.master_nodes).unwrap_or(&[]);
         let mut middle = [0.0; 3];
         for node in nodes {
@@ -176,7 +180,7 @@ impl<'a> Gathered<'a> {
     }
 
     /// Both sides of contact point `number`.
-    pub(super) fn sides(&self, number: usize) -> Option<Sides<'_>> {
+    pub(crate) fn sides(&self, number: usize) -> Option<Sides<'_>> {
         let element = self.element;
         let layout = &element.layout;
         let from = |at: usize| self.parameters.get(at..).unwrap_or(&[]);
@@ -247,7 +251,7 @@ impl<'a> Gathered<'a> {
     }
 
     /// The closest point of a geometry that declares it.
-    pub(super) fn declared(&self, sides: &Sides<'_>) -> Option<[f64; 2]> {
+    pub(crate) fn declared(&self, sides: &Sides<'_>) -> Option<[f64; 2]> {
         let (MasterDescription::Rigid(geometry), Side::Fixed(x)) =
             (self.element.master, sides.slave)
         else {
@@ -266,8 +270,8 @@ impl<'a> Gathered<'a> {
     }
 }
 
-fn put(list: &mut [[f64; 3]; MOST_NODES], a: usize, x: [f64; 3]) -> Result<(), Fault> {
-    let too_many = (code::ELEMENT, argument::ELEMENT, 0);
+fn put(list: &mut [[f64; 3]; MOST_NODES], a: usize, x: [f64; 3]) -> Result<(), Error> {
+    let too_many = Error::new(code::ELEMENT, argument::ELEMENT, 0);
     *list.get_mut(a).ok_or(too_many)? = x;
     Ok(())
 }

@@ -1,16 +1,14 @@
 //! On which side of the patch a point near an edge or vertex lies. [eq:pseudonormal]
 
-use super::super::sizes::Fault;
 use super::boundary::Feature;
 use super::checked::Checked;
-use super::place::{Place, Values};
+use super::closest_place::ClosestPlace;
+use super::values::{Values, gather};
 use crate::arithmetic::{atan2, divisor, sqrt};
+use crate::error::Error;
+use crate::point::values::dot;
 
 type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
 
 fn cross(a: Vector, b: Vector) -> Vector {
     [
@@ -22,7 +20,11 @@ fn cross(a: Vector, b: Vector) -> Vector {
 
 /// +1 outside, −1 inside, by the sum of the normals of the facets that meet in the feature, each times its angle.
 /// +1 at the rim, and where facets have no sides.
-pub(super) fn side(checked: &Checked<'_>, slave: usize, place: &Place) -> Result<f64, Fault> {
+pub(crate) fn side(
+    checked: &Checked<'_>,
+    slave: usize,
+    place: &ClosestPlace,
+) -> Result<f64, Error> {
     if checked.facet.layout.orientation.is_none() {
         return Ok(1.0);
     }
@@ -37,19 +39,19 @@ pub(super) fn side(checked: &Checked<'_>, slave: usize, place: &Place) -> Result
     let (r, _) = relative(checked, slave, place.facet, place.zeta)?;
     let at = checked.facet.layout.orientation.unwrap_or(0);
     let flips = checked.values.get(at).is_some_and(|&value| value < 0.0);
-    let is_outside = (dot(r, normal) >= 0.0) != flips;
+    let is_outside = (dot(&r, &normal) >= 0.0) != flips;
     Ok(if is_outside { 1.0 } else { -1.0 })
 }
 
 /// r and r_,i of a slave point and a place on a facet.
-pub(super) fn relative(
+pub(crate) fn relative(
     checked: &Checked<'_>,
     slave: usize,
     facet: usize,
     zeta: [f64; 2],
-) -> Result<(Vector, [Vector; 2]), Fault> {
+) -> Result<(Vector, [Vector; 2]), Error> {
     let values = Values::of_facet(checked, facet);
-    let gathered = checked.gather(slave, facet, &values)?;
+    let gathered = gather(checked, slave, facet, &values)?;
     let sides = gathered.sides(0);
     Ok(sides.map_or_else(Default::default, |sides| sides.relative_at(&zeta)))
 }
@@ -58,13 +60,13 @@ pub(super) fn relative(
 struct Around;
 
 impl Around {
-    /// The sum of both normals; none at the rim.
+    /// The sum of both normals; `None` at the rim.
     fn edge(
         checked: &Checked<'_>,
         slave: usize,
-        place: &Place,
+        place: &ClosestPlace,
         k: usize,
-    ) -> Result<Option<Vector>, Fault> {
+    ) -> Result<Option<Vector>, Error> {
         let [from, to] = ends(checked, place.facet, k);
         let part = checked.corners.part(k, place.zeta);
         let mut sum = normal(checked, slave, place.facet, place.zeta)?.0;
@@ -81,13 +83,13 @@ impl Around {
         Ok((!is_rim).then_some(sum))
     }
 
-    /// The sum of all normals times the angles of the facets; none at the rim.
+    /// The sum of all normals times the angles of the facets; `None` at the rim.
     fn vertex(
         checked: &Checked<'_>,
         slave: usize,
-        place: &Place,
+        place: &ClosestPlace,
         k: usize,
-    ) -> Result<Option<Vector>, Fault> {
+    ) -> Result<Option<Vector>, Error> {
         let vertex = corner(checked, place.facet, k);
         let mut sum = [0.0; 3];
         for facet in 0..checked.facets() {
@@ -142,14 +144,14 @@ fn normal(
     slave: usize,
     facet: usize,
     zeta: [f64; 2],
-) -> Result<(Vector, [Vector; 2]), Fault> {
+) -> Result<(Vector, [Vector; 2]), Error> {
     let (_, [first, second]) = relative(checked, slave, facet, zeta)?;
     let normal = if checked.facet.dimension == 2 {
         [first[1], -first[0], 0.0]
     } else {
         cross(first, second)
     };
-    let length = divisor(sqrt(dot(normal, normal)));
+    let length = divisor(sqrt(dot(&normal, &normal)));
     Ok((normal.map(|value| value / length), [first, second]))
 }
 
@@ -166,7 +168,7 @@ fn angle(checked: &Checked<'_>, k: usize, [first, second]: [Vector; 2]) -> f64 {
     let before = if k == 0 { corners.count - 1 } else { k - 1 };
     let (a, b) = (towards(corners.at(k + 1)), towards(corners.at(before)));
     let across = cross(a, b);
-    atan2(sqrt(dot(across, across)), dot(a, b))
+    atan2(sqrt(dot(&across, &across)), dot(&a, &b))
 }
 
 fn plus(a: Vector, b: Vector, factor: f64) -> Vector {

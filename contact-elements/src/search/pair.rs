@@ -1,7 +1,7 @@
 //! Relative position r of a pair and its derivatives: at a point, and over a box of parameters.
 
 use super::interval::{Interval, Scratch, evaluate};
-use crate::program::Program;
+use crate::table::Table;
 
 /// Components of a vector; the third is 0 in 2D.
 pub(super) type Vector = [f64; 3];
@@ -18,7 +18,7 @@ pub(crate) enum Side<'a> {
     /// Shape functions and nodes.
     Shape {
         /// Values, first and second derivatives of the shape functions.
-        program: &'a Program,
+        program: &'a Table,
         /// Positions, tangent vectors.
         nodes: &'a [Vector],
         /// Weights of a rational geometry.
@@ -29,7 +29,7 @@ pub(crate) enum Side<'a> {
     /// A rigid position.
     Rigid {
         /// Position, first and second derivatives.
-        program: &'a Program,
+        program: &'a Table,
         /// Its run-time parameters.
         parameters: &'a [f64],
         /// Its parameters: 1 or 2.
@@ -116,7 +116,7 @@ impl Side<'_> {
         }
     }
 
-    fn program(&self) -> Option<(&Program, &[f64])> {
+    fn program(&self) -> Option<(&Table, &[f64])> {
         match self {
             Side::Fixed(_) => None,
             Side::Shape {

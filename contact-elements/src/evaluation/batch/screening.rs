@@ -1,45 +1,22 @@
 //! Which contacts of a batch are evaluated: all, or with `CTE_SCREEN` those that are not certainly open. The others
 //! are settled at once.
 
-use super::batch::Run;
-use super::batch_check::Checked;
-use super::{Descriptor, ScreenKernel, argument, code, request};
-use crate::runtime::{
-    History, ROOM, Receiver, Report, Rolling, SCREENED, Status, is_status, is_usable,
-};
-
-/// How far the contacts of a batch have been looked at.
-pub(super) struct Screening {
-    /// None: all contacts are evaluated.
-    kernel: Option<ScreenKernel>,
-    /// The first contact that nobody has looked at.
-    next: usize,
-    /// Where the bits begin.
-    first: usize,
-    /// Contacts that were looked at and are to be evaluated, one bit each.
-    left: u32,
-}
-
-impl Screening {
-    /// Of a batch that begins. A state that is frozen is not asked for its gap, a projection that is given costs nothing.
-    pub(super) fn new(checked: &Checked<'_>) -> Self {
-        let bits = checked.batch.request;
-        let is_wanted = bits & request::SCREEN != 0
-            && bits & (request::FREEZE_STATE | request::PROJECTION_GIVEN) == 0;
-        Self {
-            kernel: checked.element.screen.filter(|_| is_wanted),
-            next: 0,
-            first: 0,
-            left: 0,
-        }
-    }
-}
+use super::run::{Run, ScreenKernel};
+use crate::arithmetic::is_usable;
+use crate::batch::block::ROOM;
+use crate::batch::screen::SCREENED;
+use crate::codes::request;
+use crate::descriptor::Descriptor;
+use crate::element::receiver::{Receiver, Report};
+use crate::point::history::{History, is_status};
+use crate::point::motion::Rolling;
+use crate::point::values::Status;
 
 impl Run<'_> {
     /// The numbers of the next contacts that are to be evaluated.
     #[inline]
-    pub(super) fn next_to_evaluate(&mut self, numbers: &mut [usize; ROOM]) -> usize {
-        let count = self.checked().count;
+    pub(crate) fn next_to_evaluate(&mut self, numbers: &mut [usize; ROOM]) -> usize {
+        let count = self.shape.count;
         let Some(kernel) = self.screening.kernel else {
             let first = self.screening.next;
             let length = ROOM.min(count - first);
@@ -68,7 +45,7 @@ impl Run<'_> {
     /// Looks at further contacts and settles the open ones.
     fn look_on(&mut self, kernel: ScreenKernel) {
         let first = self.screening.next;
-        let count = SCREENED.min(self.checked().count - first);
+        let count = SCREENED.min(self.shape.count - first);
         let mut bounds = [0.0; SCREENED];
         let mut open = kernel(self, (first, count), &mut bounds);
         let all = (u64::MAX >> (64 - count as u32 % 64)) as u32;
@@ -80,7 +57,7 @@ impl Run<'_> {
             let number = first + slot as usize;
             let bound = bounds.get(slot as usize).copied().unwrap_or(0.0);
             if leaves_nothing || self.leave(number, bound) {
-                self.note(number, Status::Open, (code::SUCCESS, argument::NONE, 0));
+                self.note(number, Ok(Status::Open));
             } else {
                 open &= !(1 << slot);
             }
@@ -92,22 +69,18 @@ impl Run<'_> {
 
     /// True where an open contact has no outputs but its status: only sums are asked for.
     fn leaves_nothing(&self) -> bool {
-        let batch = self.checked().batch;
-        let bits = batch.request;
-        let asks = |bit: u32| bits & bit != 0;
-        let has_own = asks(request::RESIDUAL) && !batch.f.is_null()
-            || asks(request::TANGENT) && !batch.k.is_null();
+        let asks = |bit: u32| self.shape.wants(bit);
+        let has = &self.shape.form.has;
+        let has_own = asks(request::RESIDUAL) && has.f || asks(request::TANGENT) && has.k;
         !has_own && !asks(request::HISTORY | request::OUTPUT | request::ENERGY)
     }
 
     /// Outputs of an open contact that was not projected; false, and nothing is written, where its history is refused.
     fn leave(&mut self, number: usize, bound: f64) -> bool {
-        let checked = self.checked();
-        let (element, bits) = (checked.element, checked.batch.request);
-        // SAFETY: promised by the caller of the batch.
-        let history = unsafe { checked.history_of(number) };
-        let mut target = self.outputs.of(number);
-        let is_reported = bits & (request::HISTORY | request::OUTPUT) != 0;
+        let shape = self.shape;
+        let element = shape.element;
+        let history = self.arrays.history(shape, number);
+        let is_reported = shape.wants(request::HISTORY | request::OUTPUT);
         let mut zeta = element.centre;
         if let (Some(history), true) = (history, is_reported) {
             if !could_be_written(element, &history) {
@@ -117,7 +90,8 @@ impl Run<'_> {
                 *to = history.get(1 + i).unwrap_or(*to);
             }
         }
-        target.open(checked.unknowns());
+        let mut target = self.outputs.target(number);
+        target.open(shape.unknowns());
         if is_reported {
             target.report(0, &report(bound, zeta));
         }

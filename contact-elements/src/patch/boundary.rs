@@ -1,14 +1,14 @@
 //! Edges and vertices of a facet: corners of its domain, and which of its nodes an edge is made of.
 
-use super::super::Descriptor;
 use crate::arithmetic::abs;
-use crate::program::{GeometryPrograms, MasterDescription};
-use crate::runtime::Domain;
+use crate::descriptor::Descriptor;
+use crate::point::domain::Domain;
+use crate::table::{GeometryPrograms, MasterDescription};
 
 /// Most nodes of a facet, an edge or a vertex.
-pub(super) const MOST_NODES: usize = 16;
+pub(crate) const MOST_NODES: usize = 16;
 /// Most corners of a domain.
-pub(super) const MOST_CORNERS: usize = 4;
+pub(crate) const MOST_CORNERS: usize = 4;
 /// Most outputs of a geometry: values, first and second derivatives.
 const MOST_OUTPUTS: usize = 6 * MOST_NODES;
 /// Shape functions that differ by less are the same.
@@ -18,7 +18,7 @@ const SAMPLES: [f64; 3] = [0.25, 0.5, 0.8];
 
 /// Where a projection lies on a facet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Feature {
+pub(crate) enum Feature {
     Inside,
     Edge(usize),
     Vertex(usize),
@@ -26,7 +26,7 @@ pub(super) enum Feature {
 
 impl Feature {
     /// From the numbers of the interface: 0, 1 + edge, 5 + vertex.
-    pub(super) fn new(number: u8) -> Self {
+    pub(crate) fn new(number: u8) -> Self {
         match number {
             0 => Self::Inside,
             1..=4 => Self::Edge(usize::from(number - 1)),
@@ -37,14 +37,14 @@ impl Feature {
 
 /// Corners of a bounded domain; edge k runs from corner k to corner k + 1, the last back to the first.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Corners {
+pub(crate) struct Corners {
     list: [[f64; 2]; MOST_CORNERS],
-    pub(super) count: usize,
+    pub(crate) count: usize,
 }
 
 impl Corners {
-    /// Of a domain; none where it has no end.
-    pub(super) fn new(domain: &Domain) -> Option<Self> {
+    /// Corners of a domain; `None` where it has no end.
+    pub(crate) fn new(domain: &Domain) -> Option<Self> {
         let (list, count) = match *domain {
             Domain::Interval(lower, upper) => ([[lower, 0.0], [upper, 0.0], [0.0; 2], [0.0; 2]], 2),
             Domain::Rectangle([a, b], [c, d]) => ([[a, b], [c, b], [c, d], [a, d]], 4),
@@ -56,19 +56,19 @@ impl Corners {
     }
 
     /// Corner `k`, counted round.
-    pub(super) fn at(&self, k: usize) -> [f64; 2] {
+    pub(crate) fn at(&self, k: usize) -> [f64; 2] {
         let k = if k >= self.count { k - self.count } else { k };
         self.list.get(k).copied().unwrap_or_default()
     }
 
     /// Parameters at a part of edge `k`.
-    pub(super) fn on_edge(&self, k: usize, part: f64) -> [f64; 2] {
+    pub(crate) fn on_edge(&self, k: usize, part: f64) -> [f64; 2] {
         let (from, to) = (self.at(k), self.at(k + 1));
         core::array::from_fn(|i| from[i] + part * (to[i] - from[i]))
     }
 
     /// The part of edge `k` at which ζ lies.
-    pub(super) fn part(&self, k: usize, zeta: [f64; 2]) -> f64 {
+    pub(crate) fn part(&self, k: usize, zeta: [f64; 2]) -> f64 {
         let (from, to) = (self.at(k), self.at(k + 1));
         let along: [f64; 2] = core::array::from_fn(|i| to[i] - from[i]);
         let length = along[0] * along[0] + along[1] * along[1];
@@ -78,7 +78,7 @@ impl Corners {
 }
 
 /// The shape of an element's master.
-pub(super) fn shape(element: &Descriptor) -> Option<&'static GeometryPrograms> {
+pub(crate) fn shape(element: &Descriptor) -> Option<&'static GeometryPrograms> {
     match element.master {
         MasterDescription::Shape(geometry) => Some(geometry),
         _ => None,
@@ -102,15 +102,15 @@ fn functions(geometry: &GeometryPrograms, zeta: [f64; 2], p: usize) -> [f64; MOS
 }
 
 /// True where the geometry of a facet, edge or vertex fits these tables.
-pub(super) fn fits(element: &Descriptor) -> bool {
+pub(crate) fn fits(element: &Descriptor) -> bool {
     shape(element).is_none_or(|geometry| {
         let program = &geometry.values;
         program.inputs.len() <= 2 + MOST_NODES && program.outputs.len() <= MOST_OUTPUTS
     }) && element.master_nodes <= MOST_NODES
 }
 
-/// The node at every corner of a facet; none where a corner is no node.
-pub(super) fn nodes_of_corners(
+/// The node at every corner of a facet; `None` where a corner is no node.
+pub(crate) fn nodes_of_corners(
     facet: &Descriptor,
     corners: &Corners,
 ) -> Option<[usize; MOST_CORNERS]> {
@@ -125,7 +125,7 @@ pub(super) fn nodes_of_corners(
 }
 
 /// The facet's node that every node of the curve is, where the curve, taken along edge `k`, is that edge.
-pub(super) fn nodes_of_edge(
+pub(crate) fn nodes_of_edge(
     facet: &Descriptor,
     corners: &Corners,
     k: usize,

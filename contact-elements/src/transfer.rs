@@ -1,13 +1,14 @@
 //! The history of one contact point taken along to another element. [eq:transfer]
 
-use super::describe::write;
-use super::safe::Outcome;
-use super::sizes::{Fault, reported};
-use super::{Descriptor, OUTPUT_SIZE, argument, code};
 use crate::arithmetic::abs;
-use crate::runtime::{
-    HistoryLayout, Status, TangentPlane, dot, is_remembered, is_status, is_usable,
-};
+use crate::arithmetic::is_usable;
+use crate::codes::{argument, code};
+use crate::descriptor::Descriptor;
+use crate::element::receiver::OUTPUT_SIZE;
+use crate::error::Error;
+use crate::point::history::{HistoryLayout, is_remembered, is_status};
+use crate::point::tangent_plane::TangentPlane;
+use crate::point::values::{Status, dot};
 
 /// Entries of the output that are read.
 const PROJECTION: usize = 4;
@@ -21,7 +22,7 @@ const ROOM: usize = HistoryLayout::new(2, true, true, true, true).size();
 
 /// One contact point of an element: its output, and its history that belongs to it.
 #[derive(Clone, Copy)]
-struct Place<'a> {
+struct ContactPoint<'a> {
     element: &'a Descriptor,
     output: &'a [f64],
     history: &'a [f64],
@@ -36,64 +37,62 @@ const FROM: [i32; 3] = [
 ];
 const TO: [i32; 3] = [argument::TO, argument::TO_OUTPUT, argument::TO_HISTORY];
 
-impl<'a> Place<'a> {
+impl<'a> ContactPoint<'a> {
     /// What slices stand for that are long enough.
     fn new(
         element: &'a Descriptor,
         output: &'a [f64],
         history: &'a [f64],
         names: [i32; 3],
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, Error> {
         let [_, of_output, of_history] = names;
         Ok(Self {
             element,
-            output: output
-                .get(..OUTPUT_SIZE)
-                .ok_or((code::NULL, of_output, 0))?,
+            output: output.get(..OUTPUT_SIZE).ok_or(Error::missing(of_output))?,
             history: history
                 .get(..element.point_history())
-                .ok_or((code::NULL, of_history, 0))?,
+                .ok_or(Error::missing(of_history))?,
             names,
         })
     }
 
     /// Values that an evaluation can have written, both arrays in the same one.
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), Error> {
         let [element, output, history] = self.names;
         if !self.element.friction && !self.element.is_augmented() && !self.element.keeps_side {
-            return Err((code::ELEMENT, element, 0));
+            return Err(Error::new(code::ELEMENT, element, 0));
         }
         for (values, name) in [(self.output, output), (self.history, history)] {
             if let Some(entry) = values.iter().position(|&value| !is_usable(value)) {
-                return Err((code::NOT_FINITE, name, entry));
+                return Err(Error::new(code::NOT_FINITE, name, entry));
             }
         }
         let p = self.element.projected;
         if !is_status(self.entry(0)) {
-            return Err((code::HISTORY, history, 0));
+            return Err(Error::new(code::HISTORY, history, 0));
         }
         if self.element.friction && self.entry(1 + 2 * p) < 0.0 {
-            return Err((code::HISTORY, history, 1 + 2 * p));
+            return Err(Error::new(code::HISTORY, history, 1 + 2 * p));
         }
         if let Some(entry) = self.element.impossible_side(self.history) {
-            return Err((code::HISTORY, history, entry));
+            return Err(Error::new(code::HISTORY, history, entry));
         }
         let last = self.element.point_history() - 1;
         if self.element.is_augmented() && self.entry(last) > 0.0 {
-            return Err((code::HISTORY, history, last));
+            return Err(Error::new(code::HISTORY, history, last));
         }
         let angles = self.element.history_layout().rolling;
         let rolling = self.history.iter().enumerate().skip(2 + 2 * p);
         for (entry, &value) in rolling.take(angles) {
             if !is_remembered(entry - 2 - 2 * p, value) {
-                return Err((code::HISTORY, history, entry));
+                return Err(Error::new(code::HISTORY, history, entry));
             }
         }
         for i in 0..p {
             let (own, projected) = (self.entry(1 + i), self.at(PROJECTION + i));
             let possible = self.element.can_be_projection(i, own);
             if !possible || abs(own - projected) > APART * abs(own).max(1.0) {
-                return Err((code::HISTORY, history, 1 + i));
+                return Err(Error::new(code::HISTORY, history, 1 + i));
             }
         }
         Ok(())
@@ -114,15 +113,15 @@ impl<'a> Place<'a> {
     }
 
     /// The tangent plane with its normal on the side of `towards`.
-    fn plane(&self, towards: [f64; 3]) -> Result<TangentPlane, Fault> {
+    fn plane(&self, towards: [f64; 3]) -> Result<TangentPlane, Error> {
         let vector = |start: usize| core::array::from_fn(|k| self.at(start + k));
         let b = [vector(TANGENTS), vector(TANGENTS + 3)];
         let mut normal = self.normal();
         if self.element.keeps_side && dot(&normal, &towards) < 0.0 {
             normal = normal.map(|component| -component);
         }
-        TangentPlane::new(b, normal, self.element.projected).ok_or((
-            code::CUT_BACK,
+        TangentPlane::new(b, normal, self.element.projected).ok_or(Error::cut_back(
+            Status::Degenerate,
             self.names[1],
             TANGENTS,
         ))
@@ -163,11 +162,11 @@ impl<'a> Place<'a> {
 }
 
 /// The new history of `to`; none where the accepted point is not in contact, and nothing is to be carried.
-fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Fault> {
+fn carried(from: &ContactPoint<'_>, to: &ContactPoint<'_>) -> Result<Option<[f64; ROOM]>, Error> {
     from.check()?;
     to.check()?;
     if from.kind() != to.kind() {
-        return Err((code::ELEMENT, argument::TO, 0));
+        return Err(Error::new(code::ELEMENT, argument::TO, 0));
     }
     if !from.is_held() {
         return Ok(None);
@@ -203,10 +202,10 @@ fn carried(from: &Place<'_>, to: &Place<'_>) -> Result<Option<[f64; ROOM]>, Faul
 }
 
 /// The anchor on `to` that keeps the elastic slip.
-fn anchor(from: &Place<'_>, to: &Place<'_>) -> Result<[f64; 2], Fault> {
+fn anchor(from: &ContactPoint<'_>, to: &ContactPoint<'_>) -> Result<[f64; 2], Error> {
     let p = to.element.projected;
     let (old, new) = (from.plane(from.normal())?, to.plane(from.normal())?);
-    let degenerate = (code::CUT_BACK, argument::TO_OUTPUT, NORMAL);
+    let degenerate = Error::cut_back(Status::Degenerate, argument::TO_OUTPUT, NORMAL);
     let s = old.turned(&old.slip(from.moved()), &new);
     let moved = s.and_then(|s| new.parameters(&s)).ok_or(degenerate)?;
     let mut anchor = [0.0; 2];
@@ -219,81 +218,46 @@ fn anchor(from: &Place<'_>, to: &Place<'_>) -> Result<[f64; 2], Fault> {
     Ok(anchor)
 }
 
-/// Takes an elastic slip along when the projection passes from one element to its neighbour; output and history
-/// of one contact point each. `to_history` came, with `to_output`, from an evaluation of `to` with its initial
-/// history; status, anchor, slip path, normal of edges and multiplier of the accepted point are put into it, and where both roll
-/// the angles with their paths. On anything but
-/// [`code::SUCCESS`] it is as it was, and the outcome names the argument and its entry.
-pub fn transfer(
-    (from, from_output, from_history): (&Descriptor, &[f64], &[f64]),
-    (to, to_output, to_history): (&Descriptor, &[f64], &mut [f64]),
-) -> Outcome {
-    let carried = Place::new(from, from_output, from_history, FROM)
-        .and_then(|from| carried(&from, &Place::new(to, to_output, to_history, TO)?));
-    let (code, argument, index) = match carried {
-        Ok(history) => {
-            for (entry, value) in to_history.iter_mut().zip(history.iter().flatten()) {
-                *entry = *value;
-            }
-            (code::SUCCESS, argument::NONE, 0)
-        }
-        Err(fault) => fault,
-    };
-    let status = match (code, to_history.first()) {
-        (code::SUCCESS, Some(&status)) => status as i32,
-        (code::CUT_BACK, _) => Status::Degenerate as i32,
-        _ => Status::Open as i32,
-    };
-    Outcome {
-        code,
-        status,
-        closed: i32::from(status == Status::Stick as i32 || status == Status::Slip as i32),
-        argument,
-        index: reported(index),
-    }
+/// A contact point of an element, of whose history something is carried along.
+#[derive(Clone, Copy, Debug)]
+pub struct Left<'a> {
+    /// The element.
+    pub element: &'a Descriptor,
+    /// Output of the point \[[`OUTPUT_SIZE`]\].
+    pub output: &'a [f64],
+    /// History of the point that belongs to it.
+    pub history: &'a [f64],
 }
 
-/// `cte_history_transfer`.
+/// A contact point of the element that the projection has passed to.
+#[derive(Debug)]
+pub struct Entered<'a> {
+    /// The element.
+    pub element: &'a Descriptor,
+    /// Output of the point \[[`OUTPUT_SIZE`]\].
+    pub output: &'a [f64],
+    /// History of the point; it came, with `output`, from an evaluation with the initial history.
+    pub history: &'a mut [f64],
+}
+
+/// Takes the history of a contact point along when its projection passes from one element to a neighbour.
 ///
-/// # Safety
-/// The elements come from this interface or are null; the other addresses are null or valid for the shapes
-/// that the header gives.
-pub unsafe fn history_transfer(
-    from: *const Descriptor,
-    from_output: *const f64,
-    from_history: *const f64,
-    to: *const Descriptor,
-    to_output: *const f64,
-    to_history: *mut f64,
-    fault: *mut i32,
-) -> i32 {
-    let pointers = [
-        (from.is_null(), argument::FROM),
-        (from_output.is_null(), argument::FROM_OUTPUT),
-        (from_history.is_null(), argument::FROM_HISTORY),
-        (to.is_null(), argument::TO),
-        (to_output.is_null(), argument::TO_OUTPUT),
-        (to_history.is_null(), argument::TO_HISTORY),
-    ];
-    let (code, name) = match pointers.iter().find(|(null, _)| *null) {
-        Some(&(_, name)) => (code::NULL, name),
-        // SAFETY: promised by the caller; none is null.
-        None => unsafe {
-            let (from, to) = (&*from, &*to);
-            let slice = core::slice::from_raw_parts;
-            let to_history = core::slice::from_raw_parts_mut(to_history, to.point_history());
-            let outcome = transfer(
-                (
-                    from,
-                    slice(from_output, OUTPUT_SIZE),
-                    slice(from_history, from.point_history()),
-                ),
-                (to, slice(to_output, OUTPUT_SIZE), to_history),
-            );
-            (outcome.code, outcome.argument)
-        },
-    };
-    // SAFETY: promised by the caller.
-    unsafe { write(fault, name) };
-    code
+/// Status, anchor (so that the elastic slip stays), slip path, normal of edges and multiplier of the accepted point are
+/// put into the history of `to`, and where both roll the angles with their paths. Returns the status that `to` has
+/// then.
+///
+/// # Errors
+/// The history of `to` is untouched and the error names the argument: [`NULL`](crate::code::NULL) for a slice that is
+/// too short, [`NOT_FINITE`](crate::code::NOT_FINITE), [`HISTORY`](crate::code::HISTORY) for a history that no
+/// evaluation writes or that does not belong to the output, [`ELEMENT`](crate::code::ELEMENT) for elements that
+/// remember nothing or different things, [`CUT_BACK`](crate::code::CUT_BACK) for tangents that span no plane.
+pub fn transfer(from: Left<'_>, to: Entered<'_>) -> Result<Status, Error> {
+    let left = ContactPoint::new(from.element, from.output, from.history, FROM)?;
+    let entered = ContactPoint::new(to.element, to.output, to.history, TO)?;
+    let carried = carried(&left, &entered)?;
+    for (entry, value) in to.history.iter_mut().zip(carried.iter().flatten()) {
+        *entry = *value;
+    }
+    let status = to.history.first().copied().unwrap_or(0.0);
+    Ok(Status::of_number(status).unwrap_or(Status::Open))
 }

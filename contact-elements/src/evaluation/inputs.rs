@@ -1,0 +1,132 @@
+//! What concerns the inputs of every call: request, parameters, nodes, scratch.
+
+use super::sizes::{extent, slave_count, spacing};
+use crate::arithmetic::is_usable;
+use crate::codes::{argument, code, request};
+use crate::descriptor::Descriptor;
+use crate::element::receiver::Wanted;
+use crate::error::Error;
+
+/// Least width of a window of angles [rad].
+const LEAST_WINDOW: f64 = 1e-6;
+
+/// What the bits of a request ask of a kernel.
+#[inline(always)]
+pub(crate) fn wanted(bits: u32) -> Wanted {
+    Wanted {
+        residual: bits & request::RESIDUAL != 0,
+        tangent: bits & request::TANGENT != 0,
+        freeze: bits & request::FREEZE_STATE != 0,
+        projection_given: bits & request::PROJECTION_GIVEN != 0,
+    }
+}
+
+/// Bits that are offered, with the history that they need.
+#[inline]
+pub(crate) fn check_request(offered: u32, bits: u32, has_history: bool) -> Result<(), Error> {
+    check_offered(offered, bits)?;
+    check_present_history(bits, has_history)
+}
+
+/// A history where a bit says that something is to be taken from it.
+#[inline]
+pub(crate) fn check_present_history(bits: u32, has_history: bool) -> Result<(), Error> {
+    if bits & (request::FREEZE_STATE | request::PROJECTION_GIVEN) != 0 && !has_history {
+        return Err(Error::missing(argument::HISTORY_ACCEPTED));
+    }
+    Ok(())
+}
+
+/// No bits but those that are offered.
+#[inline]
+pub(crate) fn check_offered(offered: u32, bits: u32) -> Result<(), Error> {
+    let refused = bits & !offered;
+    if refused == 0 {
+        return Ok(());
+    }
+    let bit = refused.trailing_zeros() as usize;
+    Err(Error::new(code::REQUEST, argument::REQUEST, bit))
+}
+
+/// Nodes of a call, and how many of them are slave nodes; 0 stands for the element's own.
+#[inline]
+pub(crate) fn node_counts(
+    element: &Descriptor,
+    nnode: i32,
+    nslave: i32,
+) -> Result<(usize, usize), Error> {
+    let nslave = slave_count(element, nslave)?;
+    let n = element.nodes(nslave);
+    match usize::try_from(nnode) {
+        Ok(given) if given == 0 || given == n => Ok((n, nslave)),
+        _ => Err(Error::new(code::NODE_COUNT, argument::NNODE, 0)),
+    }
+}
+
+/// Distance from node to node, 0: one stands behind the other; and entries of the array.
+#[inline]
+pub(crate) fn node_extent(
+    nodes: usize,
+    dimension: usize,
+    stride: i64,
+    name: i32,
+) -> Result<(usize, usize), Error> {
+    let fault = Error::new(code::STRIDE, name, 0);
+    let stride = spacing(stride, dimension).ok_or(fault)?;
+    let length = extent(&[(nodes - 1, stride), (dimension - 1, 1)]).ok_or(fault)?;
+    Ok((stride, length))
+}
+
+/// Parameters within their ranges, as many as the element has.
+#[inline]
+pub(crate) fn check_parameters(element: &Descriptor, values: &[f64]) -> Result<(), Error> {
+    let refused = |code: i32, index: usize| Err(Error::new(code, argument::PARAMETERS, index));
+    for (index, parameter) in element.parameters.iter().enumerate() {
+        let Some(&value) = values.get(index) else {
+            return refused(code::PARAMETER, index);
+        };
+        if !is_usable(value) {
+            return refused(code::NOT_FINITE, index);
+        }
+        if !parameter.allows(value) {
+            return refused(code::PARAMETER, index);
+        }
+    }
+    let Some(at) = element.angle else {
+        return Ok(());
+    };
+    let angle = |index: usize| values.get(index).copied().unwrap_or(0.0);
+    if angle(at + 1) - angle(at) >= LEAST_WINDOW {
+        Ok(())
+    } else {
+        refused(code::PARAMETER, at + 1)
+    }
+}
+
+/// A distance beyond which nothing is looked for: a number that is not negative.
+pub(crate) fn check_reach(reach: f64) -> Result<(), Error> {
+    // by its bits: a comparison with a signalling NaN would raise an exception
+    let is_negative = reach.to_bits() > (1 << 63);
+    if is_usable(reach) && !is_negative {
+        Ok(())
+    } else {
+        Err(Error::new(code::NOT_FINITE, argument::REACH, 0))
+    }
+}
+
+/// A scale factor that is a number.
+#[inline]
+pub(crate) fn scale(value: f64) -> Result<f64, Error> {
+    if is_usable(value) {
+        Ok(value)
+    } else {
+        Err(Error::new(code::NOT_FINITE, argument::SCALE, 0))
+    }
+}
+
+/// The first `needed` entries of a workspace.
+#[inline]
+pub(crate) fn scratch(memory: &mut [f64], needed: usize) -> Result<&mut [f64], Error> {
+    let too_small = Error::new(code::WORKSPACE, argument::WORKSPACE, 0);
+    memory.get_mut(..needed).ok_or(too_small)
+}

@@ -31,13 +31,13 @@ pub struct ElementCertificate {
     pub slip: Option<Random>,
     /// Random states built to be open.
     pub open: Option<Random>,
-    /// Random states built to lie outside; nothing where there is no boundary.
+    /// Random states built to lie outside; empty where there is no boundary.
     pub outside: Option<Random>,
     /// Sequences of steps; with friction.
     pub sequences: Option<Sequences>,
     /// Symmetry, balance, motion, units.
     pub invariance: Invariance,
-    /// Global projection; where something is projected.
+    /// Global projection, where something is projected.
     pub global: Option<Global>,
     /// The side of edges.
     pub sides: Option<Finding>,

@@ -27,7 +27,7 @@ pub struct Extent {
     pub library: bool,
 }
 
-/// Proves `subjects`. `sizes`: bytes of emitted source by name of element, where known.
+/// Proves `subjects`. `sizes` holds the bytes of emitted source by element name, where known.
 pub fn certify(
     subjects: &[Subject],
     extent: &Extent,

@@ -14,7 +14,7 @@ pub const ENERGY: f64 = 2.0 * RANDOM;
 /// they carry the rounding of a few coordinates; traction, weight and normal as R, which is their product.
 pub const POINTS: f64 = RANDOM;
 
-/// Steps of frictional sequences: every step hands on the rounding of its anchor; up to eight in a row.
+/// Steps of frictional sequences: every step passes on the rounding of its anchor; up to eight in a row.
 pub const SEQUENCES: f64 = 10.0 * RANDOM;
 
 /// Reference cases: this, or [`REFERENCE_SPREADS`] times what half an ulp of noise in the data does.
@@ -34,7 +34,7 @@ pub const BALANCE: f64 = 1e-12;
 /// times the rounding, gaps of 1e-3 another factor of 10³.
 pub const MOTION: f64 = 1e-10;
 
-/// Change of units by 1000: not a power of two, so every coordinate is rounded anew.
+/// Change of units by 1000: not a power of two, so every coordinate is rounded again.
 pub const UNITS: f64 = 1e-11;
 
 /// Distance at a foot of the global projection and against the nearest of a grid, relative to the size: rounding of a
@@ -63,8 +63,8 @@ pub const SLOPE: f64 = 0.05;
 /// A `tangent_plane` tangent that agrees this closely at L ≠ 0 means that the check sees nothing.
 pub const SLOPE_FLOOR: f64 = 1e-9;
 
-/// Largest error of `found` against `expected`, relative to the largest expected entry; anything that is
-/// not a number counts as infinite.
+/// Largest error of `found` against `expected`, relative to the largest expected entry; a NaN
+/// counts as infinite.
 pub fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
     if found.len() != expected.len() {
         return f64::INFINITY;

@@ -9,18 +9,18 @@ use crate::oracle::solve::{PointReport, PointStatus};
 
 /// Least sin²θ of a state: smaller angles keep too few digits to judge by.
 const LEAST_SQUARE: f64 = 0.01;
-/// Least position of a single point in a window: the weight grows with its cube. Of the deepest point of several it
-/// is larger, so that no shallow one outweighs it: shallow gaps keep too few digits.
+/// Least position of a single point in a window: the weight grows with its cube. The deepest of several points needs a
+/// larger one, so that no shallow point outweighs it: shallow gaps keep too few digits.
 const LEAST_POSITION: [f64; 2] = [0.02, 0.3];
 /// Largest change of that position, relative to it, with a relative change of sin²θ: how many times its rounding
 /// the weight has.
 const STEEPEST: f64 = 10.0;
 /// Least share of the widest possible window where the position is near one: w'' is a small difference there.
 const WIDE: f64 = 0.3;
-/// Where no point is projected.
+/// The state where no point is projected.
 const ANY_WINDOW: [f64; 2] = [0.2, 1.2];
 
-/// Draws the window; `silent`: no point shall have a weight.
+/// Draws the window. With `silent` no point gets a weight.
 pub(super) fn equip(
     configuration: &mut Configuration,
     silent: bool,
@@ -84,8 +84,8 @@ fn draw_position(lowest: f64, stream: &mut Stream) -> f64 {
     }
 }
 
-/// The window in which sin²θ = `square` has the position; now and then one that reaches to parallel curves or to a
-/// right angle. Nothing where the window would reach beyond.
+/// The window in which sin²θ = `square` has the position. Some windows reach to parallel curves or to a right angle.
+/// `None` where the window would reach beyond them.
 fn around(square: f64, position: f64, small: bool, stream: &mut Stream) -> Option<[f64; 2]> {
     let below = if small { 1.0 - position } else { position };
     let most = match (below > 0.0, below < 1.0) {

@@ -1,7 +1,7 @@
-//! Sets slave and master so that the wanted status should hold, for a problem of size one.
+//! Sets slave and master so that the requested status should hold, for a problem of size one.
 //!
 //! A target is chosen on the master (and on a slave curve), the slave is turned to fit and then
-//! shifted so that the relative position at the target is the wanted gap along the normal; for
+//! shifted so that the relative position at the target is the chosen gap along the normal; for
 //! states outside, the target lies on the boundary and the slave is moved on beyond it.
 
 use super::flat;
@@ -27,7 +27,7 @@ pub struct Built {
 
 const JITTER: f64 = 0.06;
 
-/// Builds one attempt; nothing if it met a singularity.
+/// Builds one attempt; `None` if it met a singularity.
 pub fn build(recipe: &Recipe, wanted: Wanted, stream: &mut Stream) -> Option<Built> {
     let mut built = Built {
         pair: recipe.pair.clone(),
@@ -109,7 +109,7 @@ fn flatten(nodes: &mut [[f64; 3]]) {
     }
 }
 
-/// Parameters aimed at, and for [`Wanted::Outside`] the slopes `r·r_,i` wanted there.
+/// Parameters of the target, and for [`Wanted::Outside`] the slopes `r·r_,i` that hold there.
 fn draw_target(pair: &Pair, wanted: Wanted, stream: &mut Stream) -> ([f64; 2], [f64; 2]) {
     let region = pair.region();
     let window = search_window(pair);
@@ -176,7 +176,7 @@ fn outside_target(
     ([0, 1].map(|i| side.corner[i] + s * side.direction[i]), push)
 }
 
-/// Relative position at the target as things stand.
+/// Present relative position at the target.
 fn relative(built: &Built, anchor: usize, target: [f64; 2]) -> Option<Relative<f64>> {
     let x = flat_positions(&built.pair, &built.slave, &built.master);
     let frame = Frame::new(&built.pair, anchor, &x, &vec![0.0; x.len()]);
@@ -271,8 +271,8 @@ fn perpendicular(v: [f64; 3], stream: &mut Stream) -> [f64; 3] {
     }
 }
 
-/// The relative position wanted at the target: along the normal by the gap, pushed beyond the
-/// boundary where wanted. Sets `r0` of a distance.
+/// The relative position to reach at the target: along the normal by the gap, and for states outside
+/// pushed beyond the boundary. Sets `r0` of a distance.
 fn wanted_relative(
     built: &mut Built,
     anchor: usize,

@@ -13,7 +13,7 @@ pub enum GenerateError {
     NeverOutside,
     /// The pair has no friction, or a law without bound.
     NeverSlips,
-    /// No attempt gave the wanted status, well conditioned.
+    /// No attempt gave the requested status in a well-conditioned state.
     Exhausted {
         /// Attempts made.
         attempts: usize,

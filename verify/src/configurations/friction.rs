@@ -1,8 +1,8 @@
 //! Friction of a state: numbers of the tangential law, and what each contact point remembers, so
-//! that it sticks or slips as wanted.
+//! that it sticks or slips as requested.
 //!
-//! The anchor is placed relative to the projection that the oracle has found: along a random
-//! direction of the tangent plane, as far as gives the wanted ratio of trial traction to bound.
+//! The anchor is placed relative to the projection that the oracle has found, along a random
+//! direction of the tangent plane, at the distance that gives the chosen ratio of trial traction to bound.
 
 use super::margin::LEAST_MARGIN;
 use super::random::Stream;
@@ -33,7 +33,7 @@ enum Load {
     Share(f64),
 }
 
-/// Fills in law and histories; nothing if they cannot be made so.
+/// Fills in law and histories; `None` if they cannot be made so.
 pub fn equip(
     configuration: &mut Configuration,
     wanted: Wanted,
@@ -141,7 +141,7 @@ fn draw_load(slips: bool, stream: &mut Stream) -> Load {
     }
 }
 
-/// A history for every point: for the deepest as wanted, for others too, or sticking.
+/// A history for every point: the deepest is loaded as requested, the others likewise or sticking.
 fn remembered(
     configuration: &Configuration,
     slips: bool,
@@ -165,7 +165,7 @@ fn remembered(
     list
 }
 
-/// What a point remembers that is no longer in contact: it must not matter.
+/// Contents of the history of a point that is no longer in contact: it must not matter.
 fn forgotten(configuration: &Configuration, q: usize, stream: &mut Stream) -> FrictionHistory {
     let status = [Accepted::Open, Accepted::Stick, Accepted::Slip][stream.index(3)];
     let start = configuration.start[q];

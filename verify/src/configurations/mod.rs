@@ -3,8 +3,8 @@
 //! A [`Generator`] turns a template [`Pair`] into reproducible random [`Configuration`]s: state
 //! `index` of seed `seed` is always the same, whatever was generated before. The flow of one
 //! attempt: [`recipe`] draws the numbers of the pair, [`build`] sets the geometries so that the
-//! wanted status should hold, [`motion`] moves, turns and scales everything, [`multipliers`] and [`friction`] add what the
-//! points remember, `angle` a window of angles, and the oracle's own projection confirms status and conditioning; otherwise the attempt is repeated.
+//! requested status should hold, [`motion`] moves, turns and scales everything, [`multipliers`] and [`friction`] add what the
+//! points remember, `angle` adds a window of angles, and the oracle's own projection confirms status and conditioning; otherwise the attempt is repeated.
 //! [`edge_cases`] lists the states where elements tend to fail, with what must come out.
 
 mod angle;
@@ -58,7 +58,7 @@ impl Generator {
         }
     }
 
-    /// State number `index` with the wanted status.
+    /// State number `index` with the requested status.
     pub fn generate(&self, wanted: Wanted, index: u64) -> Result<Configuration, GenerateError> {
         self.template.validate().map_err(GenerateError::Template)?;
         let bounded = self.template.region().bounds[..self.template.parameters()]

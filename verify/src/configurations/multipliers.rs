@@ -5,7 +5,7 @@ use super::state::{Configuration, Wanted};
 use crate::oracle::multiplier::Multipliers;
 use crate::oracle::solve;
 
-/// Draws a multiplier for every contact point; nothing if the gaps cannot be found.
+/// Draws a multiplier for every contact point; `None` if the gaps cannot be found.
 pub fn equip(configuration: &mut Configuration, wanted: Wanted, stream: &mut Stream) -> Option<()> {
     let unknown = match configuration.pair.multipliers {
         Multipliers::None => return Some(()),
@@ -46,7 +46,7 @@ fn plain(configuration: &Configuration) -> Option<Vec<f64>> {
     Some(reports.iter().map(|point| point.gap).collect())
 }
 
-/// One multiplier beside a law that gives `force` alone. Never positive where it is held; where it pulls, a fifth of
+/// A multiplier for a law that gives `force` alone. It is never positive where it is held. Where it pulls, a fifth of
 /// the law's force remains, so that the sum keeps the digits of the gap.
 fn draw(
     force: f64,

@@ -22,7 +22,7 @@ pub struct Freedom {
     /// Orientation of a gap that has one.
     pub orientation: bool,
     /// `r0` of a signed gap, if the template's is not zero; that of a distance is always chosen
-    /// to suit the wanted status.
+    /// to suit the requested status.
     pub r0: bool,
 }
 

@@ -1,5 +1,5 @@
 //! Rolling of a state: numbers of the law, directors, and the angles that each contact point remembers, so that
-//! either curve sticks or rolls as wanted.
+//! either curve sticks or rolls as requested.
 
 use std::f64::consts::TAU;
 
@@ -15,10 +15,10 @@ use crate::oracle::solve::{self, PointStatus};
 use crate::oracle::tangential::TangentialLaw;
 
 /// Least part of a reference direction across the curve, and least turn of a tangent over one unit of its
-/// parameter: below it the angle keeps too few digits.
+/// parameter. Below it the angle keeps too few digits.
 const LEAST_SHARE: f64 = 0.1;
-/// Largest stiffness against the angle, in pressures times sizes: the rounding of a stiffer one's angle shows in the
-/// forces.
+/// Largest stiffness against the angle, in pressures times sizes. With a stiffer law the rounding of the angle shows in
+/// the forces.
 const STIFFEST: f64 = 100.0;
 /// Largest angle since the anchor: beyond half a turn it counts from the other side.
 const LARGEST_ANGLE: f64 = 3.0;
@@ -79,7 +79,7 @@ pub(super) fn remember(
     Some(())
 }
 
-/// Angle since the anchor: none, hardly any, close to the bound on either side, or well on one side of it.
+/// Angle since the anchor: zero, tiny, close to the bound on either side, or well on one side of it.
 fn draw_angle(
     rolling: &Rolling,
     pressure: f64,

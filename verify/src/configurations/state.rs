@@ -9,11 +9,11 @@ use crate::oracle::solve::{PointReport, Start, State};
 pub enum Wanted {
     /// One point: closed. Integrated: at least one point closed.
     Closed,
-    /// One point: open. Integrated: at least one open, none closed.
+    /// One point: open. Integrated: at least one point open and no point closed.
     Open,
     /// One point: beyond an edge or end. Integrated: at least one point outside.
     Outside,
-    /// With friction. One point: sticks. Integrated: at least one point closed, none slips.
+    /// With friction. One point: sticks. Integrated: at least one point closed and no point slips.
     Stick,
     /// With friction. One point: slips. Integrated: at least one point slips.
     Slip,

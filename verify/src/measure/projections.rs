@@ -31,7 +31,7 @@ pub fn representatives(subjects: &[Subject]) -> Vec<&Subject> {
     let mut known = Vec::new();
     let mut list = Vec::new();
     for subject in subjects {
-        // beyond its angles an element says nothing of its projection
+        // beyond its angles an element reports nothing about its projection
         let slave = match &subject.description.slave {
             _ if subject.description.angle.is_some() => continue,
             SlaveDescription::Point => "",
@@ -56,7 +56,7 @@ pub fn representatives(subjects: &[Subject]) -> Vec<&Subject> {
 /// many answers were wrong.
 ///
 /// # Errors
-/// Where something cannot be written.
+/// A file cannot be written.
 pub fn run(
     subjects: &[&Subject],
     length: Length,
@@ -193,7 +193,7 @@ fn columns(global: &Global) -> Vec<(&'static str, String)> {
     columns
 }
 
-/// How much work the three took.
+/// Work of the three projections.
 fn efforts(rows: &[(&str, Global)]) -> Table {
     let mut table = table(&[
         "element", "points", "boxes", "most", "steps", "most", "cold", "most", "warm", "most",
@@ -214,7 +214,7 @@ fn efforts(rows: &[(&str, Global)]) -> Table {
     aligned(table)
 }
 
-/// What came out.
+/// Outcomes.
 fn outcomes(rows: &[(&str, Global)]) -> Table {
     let mut table = table(&[
         "element",

@@ -1,5 +1,5 @@
-//! Octuple precision: 237 bits, exponents of 19 bits. What is exact to 70 digits, and neither overflows nor
-//! underflows where doubles do, is the truth for numbers of 16 digits.
+//! Octuple precision: 237 bits, exponents of 19 bits. It is exact to 70 digits and neither overflows nor
+//! underflows where doubles do, so it is the truth for numbers of 16 digits.
 //!
 //! The number is a leaf of [`num_dual`] with doubles as its primitive, so that whatever is written once for
 //! all numbers, geometries above all, can be evaluated in it, derivatives included.
@@ -44,7 +44,7 @@ impl Octuple {
         })
     }
 
-    /// Whether it is neither infinite nor no number.
+    /// Whether it is finite, that is neither infinite nor NaN.
     pub fn is_finite(self) -> bool {
         self.0.is_finite()
     }

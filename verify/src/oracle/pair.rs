@@ -117,7 +117,7 @@ pub struct Tangential {
     /// plane, `-a^ij b_j·dr`; such a residual balances moments only at zero distance. The tangent
     /// is the derivative of the exact residual either way.
     pub tangent_plane: bool,
-    /// Moments about two curves; none: they roll freely.
+    /// Moments about two curves; without them the curves roll freely.
     pub rolling: Option<Rolling>,
 }
 
@@ -126,7 +126,7 @@ pub struct Tangential {
 pub struct Rolling {
     /// Moment against angle: stiffness, and the bound by pressure and path (rad).
     pub law: TangentialLaw,
-    /// Directions from which the angles are measured, slave's first; none: from the principal normals.
+    /// Directions from which the angles are measured, slave's first; `None` for the principal normals.
     pub directors: Option<[[f64; 3]; 2]>,
 }
 
@@ -156,9 +156,9 @@ pub struct Pair {
     pub r0: f64,
     /// Normal law.
     pub law: Law,
-    /// Tangential law; none: frictionless.
+    /// Tangential law; `None` if frictionless.
     pub tangential: Option<Tangential>,
-    /// Angles of two curves at which it acts; none: all of them.
+    /// Angles of two curves at which it acts; `None` for all angles.
     pub angle: Option<Angle>,
     /// Multipliers beside the normal law.
     pub multipliers: Multipliers,

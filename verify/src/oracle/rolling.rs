@@ -92,7 +92,7 @@ fn curves<'a, D>(frame: &'a Frame<'_>, nodes: &'a Nodes<D>) -> Option<[Curve<'a,
     }
 }
 
-/// Angles about both curves (rad) at parameters `zeta`; nothing for another pair.
+/// Angles about both curves (rad) at parameters `zeta`; `None` for another pair.
 pub fn angles<D: Base>(
     frame: &Frame<'_>,
     nodes: &Nodes<D>,

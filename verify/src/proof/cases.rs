@@ -28,7 +28,7 @@ pub struct Case {
     law: LawData,
     start: Vec<f64>,
     normal_sign: f64,
-    /// What half an ulp of noise in the data does.
+    /// Spread of the results under half an ulp of noise in the data.
     pub spread: Spread,
     expected: Expected,
     history: Option<HistoryData>,
@@ -76,9 +76,9 @@ struct HistoryData {
 /// Relative change of residual and tangent under noise.
 #[derive(Clone, Copy, Debug, Deserialize)]
 pub struct Spread {
-    /// Of the residual.
+    /// Relative change of the residual.
     pub residual: f64,
-    /// Of the tangent.
+    /// Relative change of the tangent.
     pub tangent: f64,
 }
 
@@ -102,14 +102,14 @@ pub struct Values {
     pub residual: Vec<f64>,
     /// K by rows.
     pub tangent: Vec<f64>,
-    /// Whether the point slips; nothing without friction.
+    /// Whether the point slips; `None` without friction.
     pub slips: Option<bool>,
 }
 
 /// All cases.
 ///
 /// # Errors
-/// Where the file does not have the expected form.
+/// The file does not have the expected form.
 pub fn cases() -> Result<Vec<Case>, serde_json::Error> {
     let file: File = serde_json::from_str(include_str!("../../data/reference_cases.json"))?;
     Ok(file.cases)

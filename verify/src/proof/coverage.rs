@@ -144,7 +144,7 @@ struct Data {
     bits: u32,
 }
 
-/// Of a point on a facet.
+/// A good call for a point on a facet.
 #[rustfmt::skip]
 const FAULTS: [Fault; 17] = [
     ("no coordinates", code::NULL, argument::X, |d| d.x.clear()),
@@ -172,7 +172,7 @@ const FAULTS: [Fault; 17] = [
     ("facet without area", code::CUT_BACK, argument::X, |d| d.x[3..].fill(0.0)),
 ];
 
-/// Of an interpolated slave with one node on a facet.
+/// A good call for an interpolated slave with one node on a facet.
 #[rustfmt::skip]
 const INTERPOLATED_FAULTS: [Fault; 3] = [
     ("no slave row", code::NODE_COUNT, argument::NSLAVE, |d| d.slave_row.clear()),
@@ -180,19 +180,19 @@ const INTERPOLATED_FAULTS: [Fault; 3] = [
     ("small workspace", code::WORKSPACE, argument::WORKSPACE, |d| d.workspace.truncate(1)),
 ];
 
-/// Of a point with friction on a facet: eps_n, eps_t, mu, r0, orientation; status, ζ, anchor, path.
+/// A good call for a point with friction on a facet: eps_n, eps_t, mu, r0, orientation; status, ζ, anchor, path.
 #[rustfmt::skip]
 const FRICTIONAL_FAULTS: [Fault; 7] = [
     ("tangential stiffness of zero", code::PARAMETER, argument::PARAMETERS, |d| d.parameters[1] = 0.0),
     ("negative coefficient of friction", code::PARAMETER, argument::PARAMETERS, |d| d.parameters[2] = -0.1),
     ("history without anchor", code::NULL, argument::HISTORY_ACCEPTED, |d| d.history.truncate(3)),
-    ("anchor that is no number", code::NOT_FINITE, argument::HISTORY_ACCEPTED, |d| d.history[3] = f64::NAN),
+    ("anchor that is NaN", code::NOT_FINITE, argument::HISTORY_ACCEPTED, |d| d.history[3] = f64::NAN),
     ("anchor far away", code::HISTORY, argument::HISTORY_ACCEPTED, |d| d.history[3] = 6e7),
     ("negative path", code::HISTORY, argument::HISTORY_ACCEPTED, |d| d.history[5] = -1.0),
     ("status of no kind", code::HISTORY, argument::HISTORY_ACCEPTED, |d| d.history[0] = 2.5),
 ];
 
-/// Puts every fault into a call of its own.
+/// Puts every fault into a separate call.
 fn front_door(finding: &mut Finding, subjects: &[Subject], name: &str, faults: &[Fault]) {
     let Some(subject) = subjects.iter().find(|s| s.name() == name) else {
         finding.fail(format!("{name} is not among the elements"));

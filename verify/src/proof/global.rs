@@ -24,7 +24,7 @@ use states::{States, neighbour};
 pub struct Global {
     /// Contact points projected globally, by verdict: inside, held by the boundary, not unique, beyond, undecided.
     pub verdicts: [u64; 5],
-    /// The same by feature: 0 none, 1 to 4 an edge, 5 to 8 a vertex; ends of two curves as the interface numbers them.
+    /// The same by feature: 0 no feature, 1 to 4 an edge, 5 to 8 a vertex; ends of two curves as the interface numbers them.
     pub features: [u64; 9],
     /// Boxes looked at.
     pub boxes: Effort,
@@ -98,7 +98,7 @@ fn one(
         note(&mut global.finding, index, "global", q, wrong);
     }
     if subject.description.angle.is_some() {
-        // beyond its angles an evaluation says nothing of the projection
+        // beyond its angles an evaluation reports nothing about the projection
         return;
     }
     let cold = local::evaluate(subject, configuration, &[]);

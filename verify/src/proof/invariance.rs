@@ -17,11 +17,11 @@ const STATES: u64 = 40;
 /// Worst deviations of one element.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Invariance {
-    /// K − Kᵀ; nothing for the current measure.
+    /// K − Kᵀ; `None` for the current measure.
     pub symmetry: Worst,
-    /// Sum of forces; nothing for rigid masters.
+    /// Sum of forces; `None` for rigid masters.
     pub force: Worst,
-    /// Sum of moments; nothing for rigid masters. Friction on the tangent plane leaves one, see the slopes.
+    /// Sum of moments; `None` for rigid masters. Friction on the tangent plane leaves a moment, see the slopes.
     pub moment: Worst,
     /// Turned and shifted state against turned result.
     pub motion: Worst,
@@ -236,7 +236,7 @@ fn motion(
     result.finding.compare("rigid motion", error, MOTION);
 }
 
-/// What belongs to multipliers, turned: they are no vectors themselves.
+/// Entries of multipliers, turned: they are not vectors themselves.
 fn turned_couplings(
     couplings: &Couplings,
     n: usize,

@@ -28,7 +28,7 @@ const MOMENTS: usize = 21;
 /// A number found, the one expected, and what their difference is measured by.
 type Entry = (f64, f64, f64);
 
-/// The element's status of a point; none where the oracle has no answer.
+/// The element's status of a point; `None` where the oracle has no answer.
 pub(super) fn status(point: &PointReport) -> Option<Status> {
     match (point.status, point.friction) {
         (PointStatus::Open, _) => Some(Status::Open),
@@ -94,8 +94,8 @@ pub(super) fn error(
     Ok(worst)
 }
 
-/// Of an integrated slave: open here and outside there, or the other way round, and no traction: from the same start Newton's method and
-/// the oracle's damped one may find different feet of a point that carries nothing.
+/// Whether a point of an integrated slave without traction is open in one and outside in the other. From the same start
+/// Newton's method and the oracle's damped one may find different feet of a point that carries nothing.
 fn are_unloaded(expected: Status, found: &[f64], history: &[f64]) -> bool {
     let unloaded = [Status::Open, Status::Outside];
     let is = |value: f64| {

@@ -13,15 +13,15 @@ use crate::tolerance::{ENERGY, POINTS, RANDOM, relative_error};
 
 /// Work of a full hyper-dual tangent (entries times points) above which random directions are taken.
 const FULL_WORK: usize = 250;
-/// Directions then.
+/// Number of directions then.
 const DIRECTIONS: usize = 2;
 
-/// What was found for one element and wanted status.
+/// Results for one element and requested status.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Random {
     /// Residual.
     pub residual: Worst,
-    /// Tangent; nothing for residual-only and tangent-plane elements.
+    /// Tangent; `None` for residual-only and tangent-plane elements.
     pub tangent: Worst,
     /// Energy.
     pub energy: Worst,
@@ -143,7 +143,7 @@ fn record(random: &mut Random, answer: &Answer) {
     }
 }
 
-/// What is wrong with the answer at a state without a closed point.
+/// Describes the error of the answer at a state without a closed point.
 fn not_closed(answer: &Answer, allowed: &[Status]) -> Option<String> {
     let Some(status) = answer.status() else {
         return Some(format!("{:?}", answer.outcome));
@@ -252,7 +252,7 @@ fn closed(
         .compare(&format!("state {index}"), worst, RANDOM);
 }
 
-/// Random directions for large elements; none where the full tangent is taken.
+/// Random directions for large elements; empty where the full tangent is taken.
 fn directions(subject: &Subject, index: u64) -> Vec<Vec<f64>> {
     let unknowns = subject.template.unknowns();
     let work = unknowns * (unknowns + 1) / 2 * subject.template.points();

@@ -1,4 +1,4 @@
-//! Sequences of steps of frictional contact: the element goes by its own trial history, the oracle by its own.
+//! Sequences of steps of frictional contact: element and oracle each continue from their own trial history.
 //!
 //! The slave moves along the master, back and forth, deeper and less deep; residual, tangent and every contact
 //! point are compared at each step. A sequence ends where a state is not well conditioned any more.
@@ -182,7 +182,7 @@ fn advance(configuration: &mut Configuration, stream: &mut Stream) {
     let away = size * LIFT * stream.uniform(-1.0, 1.0);
     let pair = &configuration.pair;
     let [first, second] = friction.axes;
-    // the second axis of a single parameter lies across the master: a foot there is none
+    // the second axis of a single parameter lies across the master, so a foot there would not be a foot of the pair
     let across = if pair.parameters() == 2 {
         along[1]
     } else {

@@ -1,6 +1,6 @@
-//! The side of two edges: of the parameter at first, of the remembered normal from then on.
+//! Which side two edges are on: at first that of the parameter, then that of the remembered normal.
 //!
-//! What either side yields is proven elsewhere. Here it is only which of the two an evaluation takes, bit for bit.
+//! Other evidence proves the result on either side. Here the question is only which of the two an evaluation takes, bit for bit.
 
 use contact_elements::code;
 use contact_elements::runtime::Status;
@@ -104,7 +104,7 @@ impl Edges<'_> {
         end - 3..end
     }
 
-    /// New histories hold the normal of the output.
+    /// Trial histories hold the normal of the output.
     fn keeps(&self, answer: &Answer) -> Result<(), String> {
         let side = &answer.history[self.side_of(&answer.history)];
         if side == &answer.output[NORMAL..NORMAL + 3] {
@@ -139,7 +139,7 @@ impl Edges<'_> {
         Ok(())
     }
 
-    /// Without a memory: the orientation's side, and without one that of a positive distance.
+    /// Without a remembered normal: the side of the orientation, and if that is 0 the side of a positive distance.
     fn first(&self) -> Result<(), String> {
         let sides = [self.call(1.0, None), self.call(-1.0, None)];
         let distance = sides[0].output[GAP] + self.configuration.pair.r0;

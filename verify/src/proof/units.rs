@@ -15,7 +15,7 @@ use crate::tolerance::{UNITS, relative_error};
 /// Metre to millimetre.
 const UNIT: f64 = 1000.0;
 
-/// Largest error of residual and tangent in millimetres against `answer`, the result in metres; in words
+/// Largest error of residual and tangent in millimetres against `answer`, the result in metres; or a text on
 /// what cannot be converted.
 pub(super) fn error(
     subject: &Subject,
@@ -181,8 +181,8 @@ fn position(geometry: &GeometryPrograms, zeta: &[f64], parameters: &[f64], d: us
     std::array::from_fn(|k| if k < d { outputs[k] } else { 0.0 })
 }
 
-/// By what N is multiplied: it is a force, a force per length or a force per area, as the units of the law's
-/// parameters make it.
+/// The factor of N in millimetres: N is a force, a force per length or a force per area, depending on the units of the law's
+/// parameters.
 fn traction_factor(answer: &Answer, found: &Answer) -> Result<f64, String> {
     let traction = |answer: &Answer, point: usize| answer.output[point * OUTPUT_SIZE + 2];
     let points = 0..answer.output.len() / OUTPUT_SIZE;
@@ -207,7 +207,7 @@ fn traction_factor(answer: &Answer, found: &Answer) -> Result<f64, String> {
     }
 }
 
-/// By what length or area of an integrated slave is multiplied.
+/// The factor of length or area of an integrated slave.
 fn measure_factor(pair: &Pair) -> f64 {
     match &pair.slave {
         Slave::Fixed {

@@ -20,7 +20,7 @@ impl Subject {
         };
         let (mut x, mut u) = (input.reference.to_vec(), input.displacement.to_vec());
         for q in 0..descriptor.multipliers() {
-            // what stands beside the multiplier is not looked at
+            // the coordinates of a multiplier's node are not read
             let value = input.multipliers.get(q).copied().unwrap_or(0.0);
             x.extend(vec![UNTOUCHED; d]);
             u.push(value);
@@ -63,7 +63,7 @@ impl Subject {
     }
 }
 
-/// What an entry holds that the element did not write.
+/// Value of an entry that the element did not write.
 pub const UNTOUCHED: f64 = -7.25e77;
 
 /// Inputs of a call.
@@ -83,7 +83,7 @@ pub struct Input<'a> {
     pub multipliers: &'a [f64],
 }
 
-/// Which outputs a call wants.
+/// Outputs that a call requests.
 #[derive(Clone, Copy, Debug)]
 pub struct Wanted {
     /// Residual.
@@ -108,7 +108,7 @@ impl Wanted {
 pub struct Answer {
     /// R.
     pub residual: Vec<f64>,
-    /// K, row-major; empty where not offered or not wanted.
+    /// K, row-major; empty where not offered or not requested.
     pub tangent: Vec<f64>,
     /// Output per contact point.
     pub output: Vec<f64>,

@@ -7,8 +7,8 @@ use crate::oracle::history::{Accepted, FrictionHistory};
 use crate::oracle::multiplier::Multipliers;
 
 impl Subject {
-    /// The oracle's start and what it remembers as the element's history: per point status and projected
-    /// parameters, with friction the anchor and the path too, of edges no side, multipliers that are held. Nothing remembered: open.
+    /// History of the element that matches the oracle's state. It holds status and ζ per point, with friction anchor and
+    /// path, and the multipliers that are held. Edges start without a side; a point without a state is open.
     pub fn history(
         &self,
         start: &[[f64; 2]],
@@ -55,7 +55,7 @@ impl Subject {
     }
 }
 
-/// Of a point that remembers nothing.
+/// History of a point that remembers nothing.
 const FORGOTTEN: FrictionHistory = FrictionHistory {
     status: Accepted::Open,
     anchor: [0.0; 2],

@@ -43,7 +43,7 @@ impl Subject {
     /// The subject of a built-in element.
     ///
     /// # Errors
-    /// [`UnknownName`] where the oracle knows a geometry or law of the declaration by no name.
+    /// [`UnknownName`] if the oracle does not know a geometry or law of the declaration.
     pub fn new(description: &'static ElementDescription) -> Result<Self, UnknownName> {
         let dimension = description.descriptor.dimension;
         let template = Pair {

@@ -19,13 +19,13 @@ pub enum Expected {
     /// Projected, the law does not act.
     Open,
     /// Projected exactly onto this part of the boundary, which belongs to the region: closed, or
-    /// outside with this feature, but the same force either way.
+    /// outside with this feature, but with the same force either way.
     OnBoundary(Feature),
     /// Beyond this part of the boundary.
     Outside(Feature),
-    /// No unique projection, no normal: to be reported, never NaN.
+    /// No unique projection or no normal: an error is reported, never NaN.
     Degenerate,
-    /// NaN or infinity in the input: to be reported.
+    /// NaN or infinity in the input: an error is reported.
     BadInput,
 }
 

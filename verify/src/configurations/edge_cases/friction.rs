@@ -80,7 +80,7 @@ fn isotropic() -> Vec<EdgeCase> {
     begins.friction = vec![];
     let mut again = case("contact begins again", usual(), [0.5, 0.5], Stick);
     again.friction[0].status = Accepted::Open;
-    let mut broken = case("anchor is no number", usual(), [0.0; 2], BadInput);
+    let mut broken = case("anchor is NaN", usual(), [0.0; 2], BadInput);
     broken.friction[0].anchor[1] = f64::NAN;
     vec![
         begins,

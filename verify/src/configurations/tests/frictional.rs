@@ -1,4 +1,4 @@
-//! Friction: states stick or slip as wanted, and the oracle's friction obeys mechanics.
+//! Friction: states stick or slip as requested, and the oracle's friction obeys mechanics.
 
 use super::largest;
 use super::templates::frictional;

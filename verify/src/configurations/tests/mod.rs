@@ -220,7 +220,7 @@ fn check_edge_case(case: &EdgeCase) {
         Expected::Closed => status == PointStatus::Closed,
         Expected::Stick => regime == Some(Regime::Stick),
         Expected::Slip => regime == Some(Regime::Slip),
-        // where the weight by the angle vanishes the oracle is silent, whatever became of the projection
+        // where the weight by the angle vanishes the oracle reports nothing, whatever the projection found
         Expected::Open if case.pair.angle.is_some() => found.residual.iter().all(|v| *v == 0.0),
         Expected::Open => status == PointStatus::Open,
         Expected::OnBoundary(feature) => {

@@ -17,9 +17,9 @@ use crate::tolerance::{REFERENCE, REFERENCE_SPREADS};
 /// largest entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
-    /// Of the element.
+    /// Error of the element.
     pub error: f64,
-    /// Of the truth; infinite where the disturbed states have another status.
+    /// Change of the truth; infinite where the disturbed states have another status.
     pub spread: f64,
 }
 
@@ -35,14 +35,14 @@ impl Deviation {
     }
 }
 
-/// What becomes of a state.
+/// Verdict on a state.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// The status is right, and the error within the limit.
     Exact,
-    /// The data decide nothing, or there is no unique answer: whatever is finite or refused will do.
+    /// The data decide nothing, or there is no unique answer: any finite or refused answer passes.
     Undecided,
-    /// Would have failed, beyond the documented limit of the sweep; finite all the same.
+    /// Would have failed, but lies beyond the documented limit of the sweep; still finite.
     Beyond(String),
     /// Wrong.
     Failed(String),
@@ -51,22 +51,22 @@ pub enum Verdict {
 /// The outcome of one state.
 #[derive(Clone, Debug)]
 pub struct Measurement {
-    /// Status of the element; nothing where the call was refused.
+    /// Status of the element; `None` where the call was refused.
     pub status: Option<Status>,
-    /// Status in truth; nothing where no state could be made.
+    /// True status; `None` where no state could be made.
     pub truth: Option<Status>,
-    /// Of the residual; nothing where either has no answer.
+    /// Error of the residual; `None` where either has no answer.
     pub residual: Option<Deviation>,
-    /// Of the tangent.
+    /// Error of the tangent, likewise.
     pub tangent: Option<Deviation>,
-    /// Newton steps of the projection of the first point; nothing where nothing was written.
+    /// Newton steps of the projection of the first point; `None` where nothing was written.
     pub iterations: Option<f64>,
     /// Judgement.
     pub verdict: Verdict,
 }
 
 impl Measurement {
-    /// The same, judged as beyond the limit of a sweep: neither error nor a wrong refusal counts.
+    /// The same outcome, judged as beyond the limit of a sweep: neither error nor a wrong refusal counts.
     pub fn beyond(mut self) -> Self {
         if let Verdict::Failed(reason) = &self.verdict
             && (self.status.is_some() && !reason.contains(NOT_FINITE))
@@ -76,7 +76,7 @@ impl Measurement {
         self
     }
 
-    /// What counts where no state could be made.
+    /// The outcome where no state could be made.
     pub fn missing() -> Self {
         Self {
             status: None,
@@ -101,7 +101,7 @@ const NOT_FINITE: &str = "is not finite";
 const LEAST_MARGIN: f64 = 2e-13;
 /// Data that move the answer by more than this do not determine it.
 const DECIDED: f64 = 0.05;
-/// Disturbed states, as many as the reference cases take.
+/// Number of disturbed states, the same as for the reference cases.
 const DISTURBED: usize = 4;
 /// Entry of the Newton steps in the output of a point.
 const ITERATIONS: usize = 9;
@@ -127,7 +127,7 @@ pub fn call(subject: &Subject, case: &Case) -> Answer {
     )
 }
 
-/// Judges an answer; nothing for a pair that cannot be evaluated in octuple precision.
+/// Judges an answer; `None` for a pair that cannot be evaluated in octuple precision.
 pub fn judge(case: &Case, answer: &Answer, stream: &mut Stream) -> Option<Measurement> {
     let start = [case.target];
     let state = case.state(&start);
@@ -161,7 +161,7 @@ pub fn judge(case: &Case, answer: &Answer, stream: &mut Stream) -> Option<Measur
     Some(measurement)
 }
 
-/// Whether the foot that was meant exists no more, or the data leave open where it is: it moves by more than a
+/// Whether the intended foot no longer exists, or the data leave open where it is: it moves by more than a
 /// share of the domain.
 fn wanders(case: &Case, truth: &Truth, disturbed: &Truth) -> bool {
     let region = case.pair.region();
@@ -278,7 +278,7 @@ fn spread(truth: &Truth, disturbed: &[Truth], of: fn(&Truth) -> &Vec<Octuple>) -
     changes.fold(0.0, f64::max)
 }
 
-/// Largest difference, relative to the largest entry of `whole`; infinite where something is no number.
+/// Largest difference, relative to the largest entry of `whole`; infinite where an entry is NaN.
 fn difference(found: &[Octuple], expected: &[Octuple], whole: &[Octuple]) -> f64 {
     if found.len() != expected.len() {
         return f64::INFINITY;
@@ -292,7 +292,7 @@ fn difference(found: &[Octuple], expected: &[Octuple], whole: &[Octuple]) -> f64
     }
 }
 
-/// Largest absolute value; nothing where one is no finite number.
+/// Largest absolute value; `None` where an entry is not finite.
 fn largest(mut values: impl Iterator<Item = Octuple>) -> Option<Octuple> {
     values.try_fold(Octuple::zero(), |m, v| {
         v.is_finite().then(|| m.max(v.abs()))

@@ -15,8 +15,8 @@ pub struct Traction<D> {
     pub slips: bool,
 }
 
-/// Laws whose bound is a multiple of the pressure: stiffnesses and coefficients along both axes; no
-/// coefficients where it sticks always.
+/// Laws whose bound is a multiple of the pressure: stiffnesses and coefficients along both axes. A law that always
+/// sticks has no coefficients.
 fn numbers(law: &TangentialLaw) -> Option<([f64; 2], Option<[f64; 2]>)> {
     match *law {
         TangentialLaw::Stick { eps_t } => Some(([eps_t; 2], None)),

@@ -136,7 +136,7 @@ impl<'a> Point<'a> {
         k
     }
 
-    /// Length or area per parameter of the slave at its fixed point; one where there is none.
+    /// Length or area per parameter of the slave at its fixed point; 1 for a slave without fixed points.
     pub fn measure<D: Twice>(&self, x: &[[D; 3]]) -> D {
         let Slave::Fixed { geometry, .. } = &self.pair.slave else {
             return D::one();

@@ -40,7 +40,7 @@ pub struct Truth {
     pub residual: Vec<Octuple>,
     /// Tangent by rows.
     pub tangent: Vec<Octuple>,
-    /// Projected parameters of every point; NaN where there are none.
+    /// Projected parameters of every point; NaN for a point without parameters.
     pub zeta: Vec<[f64; 2]>,
     /// How far the worst point is from having no unique projection, see `Foot`.
     pub margin: f64,
@@ -65,7 +65,7 @@ pub fn is_supported(pair: &Pair) -> bool {
             .is_none_or(|own| is_known(&own.law) && own.rolling.is_none() && !own.tangent_plane)
 }
 
-/// Evaluates a state; nothing for a pair that is not [supported](is_supported).
+/// Evaluates a state; `None` for a pair that is not [supported](is_supported).
 pub fn evaluate(state: &State<'_>) -> Option<Truth> {
     if !is_supported(state.pair) {
         return None;

@@ -22,7 +22,7 @@ pub enum Feature {
 /// The set of admissible parameters, one or two of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Region {
-    /// Bounds of each parameter; `None`: unbounded (or periodic).
+    /// Bounds of each parameter; `None` for an unbounded or periodic one.
     pub bounds: [Option<[f64; 2]>; 2],
     /// Additionally `z_0 + z_1 <= 1`.
     pub triangle: bool,
@@ -35,7 +35,7 @@ pub struct Side {
     pub corner: [f64; 2],
     /// Direction of the side.
     pub direction: [f64; 2],
-    /// Bounds of `s`; `None`: unbounded.
+    /// Bounds of `s`; `None` if unbounded.
     pub range: Option<[f64; 2]>,
     /// Direction into the region.
     pub inward: [f64; 2],
@@ -109,7 +109,7 @@ impl Region {
         self.bounds[i].map_or(2.0, |[low, high]| high - low)
     }
 
-    /// The sides of a region of two parameters (none where unbounded).
+    /// The sides of a region of two parameters; an unbounded region has no sides.
     pub fn sides(&self) -> Vec<Side> {
         if self.triangle {
             let half = [0.5f64.sqrt(); 2];

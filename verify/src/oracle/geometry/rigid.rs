@@ -61,7 +61,7 @@ impl RigidParametric {
         }
     }
 
-    /// Range of the parameters: none for the built-in ones.
+    /// Range of the parameters; the built-in geometries have no bounds.
     pub fn region(&self) -> Region {
         match self {
             Self::Declared(surface) => surface.parameter_region(),

@@ -252,7 +252,7 @@ impl Problem<'_, '_> {
     }
 }
 
-/// `m⁻¹ v` for a positive definite `m` of order `p`, else nothing.
+/// `m⁻¹ v` for a positive definite `m` of order `p`, otherwise `None`.
 fn solve(m: &[[f64; 2]; 2], v: [f64; 2], p: usize) -> Option<[f64; 2]> {
     let inverse = invert(m, p)?;
     let row = |i: usize| inverse[i][0] * v[0] + inverse[i][1] * v[1];

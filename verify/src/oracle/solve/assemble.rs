@@ -15,7 +15,7 @@ use crate::oracle::kinematics::{Frame, Nodes};
 use crate::oracle::multiplier::Enforced;
 use crate::oracle::pair::{Measure, Pair, Slave};
 
-/// What is wanted beside the residual.
+/// What is computed in addition to the residual.
 enum Wanted<'s> {
     Residual,
     Tangent,
@@ -51,7 +51,7 @@ pub fn tangent_times(
     accumulate(pair, state, &Wanted::Products(directions))
 }
 
-/// Total energy `Σ w J W(g)`, plus what the tangential springs hold; NaN if the law has none.
+/// Total energy `Σ w J W(g)`, plus the energy of the tangential springs; NaN if the law has no energy.
 pub fn energy(pair: &Pair, state: &State<'_>) -> Result<f64, OracleError> {
     validate(pair, state)?;
     let mut total = 0.0;

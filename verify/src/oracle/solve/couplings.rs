@@ -8,7 +8,7 @@ use super::report::{Couplings, PointReport, PointStatus};
 use crate::oracle::kinematics::Frame;
 use crate::oracle::pair::Pair;
 
-/// Room for a pair; nothing where its multipliers are no unknowns.
+/// Room for a pair; `None` where its multipliers are not unknowns.
 pub(super) fn empty(pair: &Pair) -> Couplings {
     if !pair.multipliers.are_unknown() {
         return Couplings::default();

@@ -18,7 +18,7 @@ use crate::oracle::vector::{constant, cross, dot, scale, sub, unit};
 /// Below this fraction of its length a direction has no part in the tangent plane.
 const NO_AXIS: f64 = 1e-14;
 
-/// Unit axes of the tangent plane; nothing where the direction of the first one vanishes.
+/// Unit axes of the tangent plane; `None` where the direction of the first one vanishes.
 fn axes(
     frame: &Frame<'_>,
     nodes: &Nodes<Dual64>,
@@ -43,7 +43,7 @@ fn axes(
     Some([first, cross(normal, first)])
 }
 
-/// The loading of a point with its derivative; nothing without axes. `multiplier_slope`: derivative of the
+/// The loading of a point with its derivative; `None` without axes. `multiplier_slope` is the derivative of the
 /// multiplier.
 fn loading(
     frame: &Frame<'_>,
@@ -70,7 +70,7 @@ fn loading(
     })
 }
 
-/// What the point goes by: the accepted state, or, where contact begins, an anchor under the point.
+/// The state from which the point continues: the accepted one or, where contact begins, an anchor under the point.
 fn remembered(history: Option<&FrictionHistory>, zeta: [f64; 2]) -> FrictionHistory {
     match history {
         Some(history) if history.status != Accepted::Open => *history,
@@ -164,7 +164,7 @@ pub(super) struct Friction {
 }
 
 impl Friction {
-    /// Nothing for a point without friction.
+    /// Zeros for a point without friction.
     pub(super) fn new(
         point: &PointSolution<'_>,
         history: Option<&FrictionHistory>,

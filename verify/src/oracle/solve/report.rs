@@ -25,13 +25,13 @@ pub enum PointStatus {
 pub struct PointReport {
     /// Status.
     pub status: PointStatus,
-    /// Projected parameters, slave's first; on the boundary if outside; NaN if none were found.
+    /// Projected parameters, slave's first; on the boundary if outside; NaN if the projection found no point.
     pub zeta: [f64; 2],
-    /// Gap (length); if outside, distance to the boundary point minus `r0`; NaN if none.
+    /// Gap (length); if outside, distance to the boundary point minus `r0`; NaN without a projection.
     pub gap: f64,
     /// N times the factor of the angle, zero if not closed.
     pub force: f64,
-    /// Unit normal; NaN if outside or none was found.
+    /// Unit normal; NaN if outside or without a projection.
     pub normal: [f64; 3],
     /// Weight times measure.
     pub weight: f64,
@@ -104,7 +104,7 @@ impl Couplings {
 /// Result for a pair.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Evaluation {
-    /// `Σ w J W`, plus what the tangential springs hold; NaN if the law has no energy.
+    /// `Σ w J W`, plus the energy of the tangential springs; NaN if the law has no energy.
     pub energy: f64,
     /// Sum of the magnitudes that the energy is made of; they may cancel where multipliers are unknowns.
     pub energy_size: f64,

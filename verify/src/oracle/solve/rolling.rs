@@ -61,7 +61,7 @@ pub(super) struct Moments {
 }
 
 impl Moments {
-    /// Nothing for a point without rolling.
+    /// Zeros for a point without rolling.
     pub(super) fn new(
         point: &PointSolution<'_>,
         history: Option<&FrictionHistory>,

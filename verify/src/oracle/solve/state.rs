@@ -23,7 +23,7 @@ pub struct State<'s> {
     pub displacement: &'s [f64],
     /// Where the projections start.
     pub start: Start<'s>,
-    /// What each contact point remembers; empty: contact begins at all of them. Without meaning
+    /// Accepted state of each contact point; if empty, contact begins at all of them. Ignored
     /// for a pair without friction.
     pub friction: &'s [FrictionHistory],
 }

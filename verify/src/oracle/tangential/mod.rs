@@ -17,7 +17,7 @@ pub trait DeclaredTangential: Debug + Send + Sync {
     /// Stiffness along each axis, greater than zero (force per length).
     fn stiffness(&self) -> [f64; 2];
     /// Largest traction along each axis at a pressure `-N` and a slip path (length); `None` where
-    /// it sticks always. A negative bound counts as zero.
+    /// the point always sticks. A negative bound counts as zero.
     fn bound<D: DualNum<Primitive = f64> + Copy>(&self, pressure: D, slip: D) -> Option<[D; 2]>;
 }
 
@@ -118,7 +118,7 @@ impl TangentialLaw {
         }
     }
 
-    /// Largest traction along each axis, never negative; `None` where it sticks always.
+    /// Largest traction along each axis, never negative; `None` where the point always sticks.
     pub fn bound(&self, pressure: Dual64, slip: Dual64) -> Option<[Dual64; 2]> {
         let bound = match self {
             Self::Stick { .. } => return None,

@@ -1,4 +1,4 @@
-//! Whether a foot is one, by the oracle's positions and tangents: the conditions of a minimum within the domain,
+//! Judges a foot by the oracle's positions and tangents: the conditions of a minimum within the domain,
 //! random points and a grid of it.
 
 use contact_elements::runtime::Domain;
@@ -15,7 +15,7 @@ use crate::tolerance::{FOOT, STATIONARY};
 /// Points of the grid along each of one or two parameters, and how many of them are projected.
 const GRID: [usize; 2] = [400, 40];
 const REFINED: usize = 6;
-/// Random points of the domain that no closest point may be farther than.
+/// Number of random points of the domain, none of which may be nearer than a closest point.
 const SAMPLES: usize = 16;
 /// How far a foot may lie beside the boundary that holds it, in extents.
 const ON_SIDE: f64 = 1e-12;
@@ -180,7 +180,7 @@ impl<'a> Judge<'a> {
         stationary(frame, zeta, &sides)
     }
 
-    /// Bounds of parameter `i`; those open to one side only are known to the declaration alone.
+    /// Bounds of parameter `i`; only the declaration knows those that are open to one side.
     fn bounds(&self, frame: &Frame<'_>, i: usize) -> [f64; 2] {
         let own = frame.pair.slave_parameters();
         let (domain, i) = match i.checked_sub(own) {
@@ -195,7 +195,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Side 2 i + end: parameter i at its lower (0) or upper (1) end; [`DIAGONAL`]. None where there is no end.
+    /// Side 2 i + end: parameter i at its lower (0) or upper (1) end; [`DIAGONAL`]. `None` where there is no end.
     fn side(&self, frame: &Frame<'_>, number: usize) -> Option<Side> {
         if number == DIAGONAL {
             return Some(Side {
@@ -232,7 +232,7 @@ impl<'a> Judge<'a> {
             .filter_map(|&number| self.side(frame, number))
     }
 
-    /// The sides that a feature of the interface lies on; none where it is no feature of the pair.
+    /// The sides on which a feature of the interface lies; `None` if the pair has no such feature.
     fn sides(&self, frame: &Frame<'_>, feature: usize) -> Vec<Side> {
         let table = match (frame.parameters, frame.pair.slave_parameters()) {
             (1, _) => &CURVE,

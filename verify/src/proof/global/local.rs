@@ -22,7 +22,7 @@ pub struct Local {
     pub outcomes: [u64; 5],
     /// Newton steps of the first two.
     pub iterations: Effort,
-    /// Of those inside: feet that are not the closest point of the whole domain.
+    /// Number of inside feet that are not the closest point of the whole domain.
     pub elsewhere: u64,
 }
 
@@ -33,8 +33,8 @@ impl Local {
         self.elsewhere += other.elsewhere;
     }
 
-    /// Counts the answer at the points that `counts`, and judges them: number of the point and what is wrong.
-    /// `closest`: the closest points of the whole domain, where known.
+    /// Counts the answer at the points that `counts`, and judges them: number of the point and its error.
+    /// `closest` holds the closest points of the whole domain, where known.
     pub(super) fn record(
         &mut self,
         judge: &Judge<'_>,
@@ -52,7 +52,7 @@ impl Local {
             Some(_) => None,
         };
         if let Some(failed) = failed {
-            // the whole evaluation is refused, and nothing is told of its points
+            // the whole evaluation is refused, and reports nothing about its points
             self.outcomes[failed] += u64::from(counts(0));
             return vec![];
         }
@@ -75,7 +75,7 @@ impl Local {
     }
 }
 
-/// Evaluates with a history; empty: none.
+/// Evaluates with a history; an empty one stands for no history.
 pub(super) fn evaluate(
     subject: &Subject,
     configuration: &Configuration,

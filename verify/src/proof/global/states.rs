@@ -63,7 +63,7 @@ pub(super) fn neighbour(configuration: &Configuration, seed: u64, index: u64) ->
     })
 }
 
-/// All nodes displaced by `change`, which is told whether the node is a position of the slave.
+/// Displaces all nodes by `change`, which learns whether the node is a position of the slave.
 fn moved(from: &Configuration, mut change: impl FnMut(bool) -> [f64; 3]) -> Configuration {
     let mut configuration = from.clone();
     let pair = &from.pair;

@@ -25,7 +25,7 @@ pub(super) struct Blend {
 }
 
 impl<const D: usize, const P: usize> Assembly<'_, D, P> {
-    /// The weight of a point, applied to N, N' and W; none for an element that acts at any angle.
+    /// The weight of a point, applied to N, N' and W; `None` for an element that acts at any angle.
     pub(super) fn weigh(
         &self,
         number: usize,

@@ -11,7 +11,7 @@ use super::rows::Point;
 use super::site::TermSite;
 use crate::interpret::interpret;
 
-/// What the normal contact of the point hands over.
+/// Results of the normal contact of the point that friction needs.
 pub(super) struct Contact<'a, const D: usize> {
     pub(super) number: usize,
     pub(super) zeta: [f64; 2],
@@ -64,7 +64,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         }
     }
 
-    /// Anchor and path of the accepted history; none where the contact begins.
+    /// Anchor and path of the accepted history; `None` where the contact begins.
     fn accepted(&self, contact: &Contact<'_, D>) -> Option<(Vec<f64>, f64)> {
         let size = self.subject.description.descriptor.point_history();
         let history = self.history.get(contact.number * size..);

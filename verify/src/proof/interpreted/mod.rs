@@ -1,4 +1,4 @@
-//! An element put together from its tables, with one term of a linearisation changed if wanted.
+//! An element assembled from its tables, with one term of a linearisation changed on request.
 //!
 //! The tables give rows, kinematics, gap, law and coefficients; the library's level 2 contracts them. The
 //! projection is the one that the compiled element found.

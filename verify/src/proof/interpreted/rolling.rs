@@ -24,7 +24,7 @@ const SYMMETRIC: usize = 9;
 const PAIRS: usize = 11;
 
 impl<const D: usize, const P: usize> Assembly<'_, D, P> {
-    /// Adds what the moments do besides their share of the tangential force, which goes to `state`.
+    /// Adds the contributions of the moments except their share of the tangential force, which goes to `state`.
     pub(super) fn rolling(
         &mut self,
         point: &Point<D, P>,
@@ -83,7 +83,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         at.map_or(vec![], |at| self.parameters[at..at + 6].to_vec())
     }
 
-    /// The law at both angles, the history being that of a contact that goes on.
+    /// The law at both angles, with the history of a contact that continues.
     fn moments(
         &self,
         rolling: &RollingDescription,

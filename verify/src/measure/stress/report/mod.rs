@@ -26,7 +26,7 @@ pub struct Report {
 /// Runs every sweep and writes everything to a folder.
 ///
 /// # Errors
-/// Where something cannot be written or drawn.
+/// A file cannot be written or drawn.
 pub fn run(
     subjects: &[Subject],
     extent: Extent,

@@ -15,11 +15,11 @@ pub struct Summary {
     pub curves: usize,
     /// States.
     pub states: usize,
-    /// Of them: judged by error or status.
+    /// Number of states judged by error or status.
     pub exact: usize,
-    /// Of them: where neither data nor theory decide.
+    /// Number of states where neither data nor theory decide.
     pub undecided: usize,
-    /// Of them: what would have failed, beyond the documented limit.
+    /// Number of states that would have failed, but lie beyond the documented limit.
     pub beyond: usize,
     /// The largest relative error of residual and tangent among those judged.
     pub largest: [f64; 2],

@@ -64,7 +64,7 @@ impl Scene {
     /// Moves the slave so that its point lies at the gap over the target.
     fn place(&mut self) -> Option<()> {
         if let Master::Distance { .. } = self.pair.master {
-            // off the middle, from where no side is the nearest
+            // off the middle, from where every side is equally near
             self.slave[0] = add(self.slave[0], [0.5, 0.7, 0.6]);
         }
         for _ in 0..3 {
@@ -103,7 +103,7 @@ impl Scene {
         };
         let rows = frame.rotation();
         let turned = |v: [f64; 3]| rows.map(|row| self.scale * dot(row, v));
-        // anywhere: coordinates that happen to be small carry more digits than others
+        // a general position: coordinates that happen to be small carry more digits than others
         let place = stream.cube(if self.turned { 1.0 } else { 0.0 });
         let shift = [0, 1, 2].map(|c| {
             if c < self.pair.dimension {

@@ -47,7 +47,7 @@ pub const GAP: Sweep = Sweep {
         normal("PointSphereDistance"),
     ],
     deform: |scene, value| {
-        // a distance is not less than nothing, and beyond the middle of a body another side is nearer
+        // a distance is never negative, and beyond the middle of a body another side is nearer
         let most = if scene.pair.r0 > 0.0 {
             scene.pair.r0
         } else {

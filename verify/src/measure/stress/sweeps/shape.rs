@@ -51,7 +51,7 @@ pub const SKEW: Sweep = Sweep {
     deform: |scene, sine| {
         let cosine = ((1.0 - sine) * (1.0 + sine)).sqrt();
         for [x, y, z] in &mut scene.master {
-            // what is thin is as thin across its plane: height and gap keep their proportion
+            // a thin facet is as thin across its plane: height and gap keep their proportion
             (*x, *y, *z) = (*x + cosine * *y, sine * *y, sine * *z);
         }
         scene.gap *= sine;

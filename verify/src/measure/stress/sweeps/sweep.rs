@@ -15,7 +15,7 @@ pub struct Sweep {
     pub zero: bool,
     /// Elements, and how they are loaded.
     pub series: &'static [Series],
-    /// What it does to a scene that is not yet placed; nothing where the scene has no such extreme.
+    /// Applies the sweep to a scene that is not yet placed; `None` where the scene has no such extreme.
     pub deform: fn(&mut Scene, f64) -> Option<()>,
 }
 
@@ -26,7 +26,7 @@ pub struct Series {
     pub element: &'static str,
     /// Load along the tangent plane.
     pub load: Load,
-    /// What lies beyond this value, towards the extreme, is measured, but its error is not judged: the documented
+    /// Beyond this value, towards the extreme, the error is measured but not judged: the documented
     /// limit of the method.
     pub limit: Option<f64>,
 }

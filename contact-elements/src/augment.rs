@@ -1,44 +1,24 @@
 //! The multipliers of a history brought up to a trial state. [eq:uzawa]
 
-use crate::arithmetic::is_usable;
 use crate::codes::{argument, code};
 use crate::descriptor::Descriptor;
 use crate::error::Error;
-use crate::point::history::{is_remembered, is_status};
-use crate::point::values::Status;
+use crate::point::history::{History, HistoryLayout, Refused, held};
 
-/// Values that an evaluation can have written.
+/// Refuses values that no evaluation can have written.
 fn check(element: &Descriptor, history: &[f64], name: i32) -> Result<(), Error> {
-    if let Some(entry) = history.iter().position(|&value| !is_usable(value)) {
-        return Err(Error::new(code::NOT_FINITE, name, entry));
-    }
-    let (size, p) = (element.point_history(), element.projected);
     let layout = element.history_layout();
-    let sides = layout.side_at()..layout.side_at() + layout.side;
-    for (number, own) in history.chunks(size.max(1)).enumerate() {
-        if let Some(entry) = element.impossible_side(own) {
-            return Err(Error::new(code::HISTORY, name, number * size + entry));
-        }
-    }
-    let possible = |(entry, &value): (usize, &f64)| match entry.checked_rem(size).unwrap_or(0) {
-        0 => is_status(value),
-        last if last + 1 == size => value <= 0.0,
-        side if sides.contains(&side) => true,
-        zeta if zeta <= p => element.can_be_projection(zeta - 1, value),
-        anchor if anchor <= 2 * p => element.can_be_anchor(anchor - 1 - p, value),
-        angle if angle >= 2 + 2 * p => is_remembered(angle - 2 - 2 * p, value),
-        _ => value >= 0.0,
-    };
-    match history.iter().enumerate().position(|at| !possible(at)) {
-        Some(entry) => Err(Error::new(code::HISTORY, name, entry)),
-        None => Ok(()),
-    }
+    let checked = layout.check(&element.reach(), &History::Own(history));
+    checked.map_err(|refused| match refused {
+        Refused::NotUsable(entry) => Error::new(code::NOT_FINITE, name, entry),
+        Refused::Impossible(entry) => Error::new(code::HISTORY, name, entry),
+    })
 }
 
-/// Sticking or sliding.
+/// True where the point sticks or slides.
 fn is_held(history: &[f64]) -> bool {
-    let held = [Status::Stick, Status::Slip].map(|status| f64::from(status as i32));
-    history.first().is_some_and(|status| held.contains(status))
+    let status = history.get(HistoryLayout::STATUS);
+    status.is_some_and(|&status| held(status).is_some())
 }
 
 /// Anchors that lie far outside once they are moved. The projections of trial and start differ by a step, so this is no
@@ -52,8 +32,8 @@ fn check_anchors(element: &Descriptor, trial: &[f64], accepted: &[f64]) -> Resul
         };
         for i in 0..p {
             let moved = moved_anchor(element, trial, accepted, i);
-            if moved.is_some_and(|anchor| !element.can_be_anchor(i, anchor)) {
-                let entry = number * size + 1 + p + i;
+            if moved.is_some_and(|anchor| !element.reach().can_be_anchor(i, anchor)) {
+                let entry = number * size + element.history_layout().anchor_at() + i;
                 return Err(Error::new(code::HISTORY, argument::HISTORY_TRIAL, entry));
             }
         }
@@ -65,16 +45,19 @@ fn check_anchors(element: &Descriptor, trial: &[f64], accepted: &[f64]) -> Resul
 fn moved_anchor(element: &Descriptor, trial: &[f64], accepted: &[f64], i: usize) -> Option<f64> {
     let at = |history: &[f64], entry: usize| history.get(entry).copied().unwrap_or(0.0);
     let held = element.friction && is_held(trial) && is_held(accepted);
-    let p = element.projected;
-    held.then(|| at(accepted, 1 + i) - (at(trial, 1 + i) - at(trial, 1 + p + i)))
+    let (own, anchor) = (
+        HistoryLayout::PROJECTION + i,
+        element.history_layout().anchor_at() + i,
+    );
+    held.then(|| at(accepted, own) - (at(trial, own) - at(trial, anchor)))
 }
 
 /// λ ← N; ζ_st ← ζ_n − (ζ − ζ_st) of a point that was in contact before. [eq:uzawa]
 fn augment_point(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) {
-    let p = element.projected;
-    for i in 0..p {
+    let layout = element.history_layout();
+    for i in 0..element.projected {
         let moved = moved_anchor(element, trial, accepted, i);
-        if let (Some(anchor), Some(entry)) = (moved, accepted.get_mut(1 + p + i)) {
+        if let (Some(anchor), Some(entry)) = (moved, accepted.get_mut(layout.anchor_at() + i)) {
             *entry = anchor;
         }
     }

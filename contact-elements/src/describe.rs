@@ -4,6 +4,7 @@ use crate::codes::{argument, kind};
 use crate::descriptor::Descriptor;
 use crate::error::Error;
 use crate::evaluation::inputs;
+use crate::point::history::HistoryLayout;
 use crate::point::values::Status;
 use crate::registered::Registered;
 
@@ -31,17 +32,20 @@ pub fn check_parameters(element: &Descriptor, parameters: &[f64]) -> Result<(), 
 pub fn initial_history(element: &Descriptor, history: &mut [f64]) -> Result<(), Error> {
     let history = history.get_mut(..element.history());
     let history = history.ok_or(Error::missing(argument::HISTORY_TRIAL))?;
-    let p = element.projected;
-    for own in history.chunks_exact_mut(element.point_history()) {
+    let layout = element.history_layout();
+    for own in history.chunks_exact_mut(layout.size()) {
         own.fill(0.0);
-        if let Some(status) = own.first_mut() {
-            *status = f64::from(Status::Open as i32);
-        }
-        let anchors = if element.friction { p } else { 0 };
-        let centres = element.centre.iter().take(p);
-        let anchors = element.centre.iter().take(anchors);
-        for (entry, &centre) in own.iter_mut().skip(1).zip(centres.chain(anchors)) {
-            *entry = centre;
+        let mut put = |entry: usize, value: f64| {
+            if let Some(to) = own.get_mut(entry) {
+                *to = value;
+            }
+        };
+        put(HistoryLayout::STATUS, f64::from(Status::Open as i32));
+        for (i, &centre) in element.centre.iter().take(layout.projected).enumerate() {
+            put(HistoryLayout::PROJECTION + i, centre);
+            if element.friction {
+                put(layout.anchor_at() + i, centre);
+            }
         }
     }
     Ok(())

@@ -3,7 +3,7 @@
 use crate::codes::request;
 use crate::element::traits::Layout;
 use crate::point::domain::Domain;
-use crate::point::history::{HistoryLayout, can_be_anchor, can_be_projection, is_side};
+use crate::point::history::{HistoryLayout, Reach};
 use crate::point::values::Enforcement;
 use crate::table::{MasterDescription, SlaveDescription};
 
@@ -109,33 +109,17 @@ impl Descriptor {
         self.history_layout().size()
     }
 
-    /// The first entry of a side in a point's history that is none.
-    pub(crate) fn impossible_side(&self, history: &[f64]) -> Option<usize> {
-        let at = self.history_layout().side_at();
-        let normal = history.get(at..).and_then(<[f64]>::first_chunk);
-        let is_possible = !self.keeps_side || normal.is_none_or(is_side);
-        (!is_possible).then_some(at)
+    /// How far histories may lead.
+    pub(crate) const fn reach(&self) -> Reach {
+        Reach {
+            centre: self.centre,
+            extent: self.extents,
+        }
     }
 
     /// True where the history carries a multiplier.
     pub const fn is_augmented(&self) -> bool {
         matches!(self.enforcement, Enforcement::Augmented)
-    }
-
-    /// False for an anchor that lies far outside the domain of parameter `i`.
-    pub fn can_be_anchor(&self, i: usize, value: f64) -> bool {
-        match (self.centre.get(i), self.extents.get(i)) {
-            (Some(centre), Some(extent)) => can_be_anchor(value, *centre, *extent),
-            _ => false,
-        }
-    }
-
-    /// False for a projection that lies far outside the domain of parameter `i`.
-    pub(crate) fn can_be_projection(&self, i: usize, value: f64) -> bool {
-        match (self.centre.get(i), self.extents.get(i)) {
-            (Some(centre), Some(extent)) => can_be_projection(value, *centre, *extent),
-            _ => false,
-        }
     }
 
     /// Multipliers that are unknowns, each with a node of its own behind all others.

@@ -25,7 +25,7 @@ pub use crate::lanes::{Real, Width};
 pub use crate::point::blend::{AngleCoefficients, AngleForm, Blend};
 pub use crate::point::domain::Domain;
 pub use crate::point::friction::{Friction, Frictionless, Tangential, TangentialLaw, return_map};
-pub use crate::point::history::{History, HistoryLayout};
+pub use crate::point::history::{History, HistoryLayout, Reach};
 pub use crate::point::kinematics::{
     curve_to_curve, curve_to_curve_higher, curve_to_curve_third, curve_to_rigid,
     curve_to_rigid_higher, onto_point, onto_rigid, onto_rigid_higher, onto_shape,

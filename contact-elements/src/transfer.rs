@@ -1,12 +1,11 @@
 //! The history of one contact point taken along to another element. [eq:transfer]
 
-use crate::arithmetic::abs;
-use crate::arithmetic::is_usable;
+use crate::arithmetic::{abs, is_usable};
 use crate::codes::{argument, code};
 use crate::descriptor::Descriptor;
 use crate::element::receiver::OUTPUT_SIZE;
 use crate::error::Error;
-use crate::point::history::{HistoryLayout, is_remembered, is_status};
+use crate::point::history::{HistoryLayout, is_status};
 use crate::point::tangent_plane::TangentPlane;
 use crate::point::values::{Status, dot};
 
@@ -67,32 +66,19 @@ impl<'a> ContactPoint<'a> {
                 return Err(Error::new(code::NOT_FINITE, name, entry));
             }
         }
-        let p = self.element.projected;
-        if !is_status(self.entry(0)) {
-            return Err(Error::new(code::HISTORY, history, 0));
+        let layout = self.element.history_layout();
+        if !is_status(self.entry(HistoryLayout::STATUS)) {
+            return Err(Error::new(code::HISTORY, history, HistoryLayout::STATUS));
         }
-        if self.element.friction && self.entry(1 + 2 * p) < 0.0 {
-            return Err(Error::new(code::HISTORY, history, 1 + 2 * p));
-        }
-        if let Some(entry) = self.element.impossible_side(self.history) {
+        let reach = self.element.reach();
+        if let Some(entry) = layout.first_impossible(&reach, |entry| self.entry(entry)) {
             return Err(Error::new(code::HISTORY, history, entry));
         }
-        let last = self.element.point_history() - 1;
-        if self.element.is_augmented() && self.entry(last) > 0.0 {
-            return Err(Error::new(code::HISTORY, history, last));
-        }
-        let angles = self.element.history_layout().rolling;
-        let rolling = self.history.iter().enumerate().skip(2 + 2 * p);
-        for (entry, &value) in rolling.take(angles) {
-            if !is_remembered(entry - 2 - 2 * p, value) {
+        for i in 0..layout.projected {
+            let entry = HistoryLayout::PROJECTION + i;
+            let (own, projected) = (self.entry(entry), self.at(PROJECTION + i));
+            if abs(own - projected) > APART * abs(own).max(1.0) {
                 return Err(Error::new(code::HISTORY, history, entry));
-            }
-        }
-        for i in 0..p {
-            let (own, projected) = (self.entry(1 + i), self.at(PROJECTION + i));
-            let possible = self.element.can_be_projection(i, own);
-            if !possible || abs(own - projected) > APART * abs(own).max(1.0) {
-                return Err(Error::new(code::HISTORY, history, 1 + i));
             }
         }
         Ok(())
@@ -101,6 +87,11 @@ impl<'a> ContactPoint<'a> {
     /// Entry of the history.
     fn entry(&self, index: usize) -> f64 {
         self.history.get(index).copied().unwrap_or(0.0)
+    }
+
+    /// Projected parameter of the history.
+    fn projection(&self, i: usize) -> f64 {
+        self.entry(HistoryLayout::PROJECTION + i)
     }
 
     /// Entry of the output.
@@ -152,10 +143,10 @@ impl<'a> ContactPoint<'a> {
 
     /// ζ − ζ_st
     fn moved(&self) -> [f64; 2] {
-        let p = self.element.projected;
+        let layout = self.element.history_layout();
         let mut moved = [0.0; 2];
-        for (i, moved) in moved.iter_mut().enumerate().take(p) {
-            *moved = self.entry(1 + i) - self.entry(1 + p + i);
+        for (i, moved) in moved.iter_mut().enumerate().take(layout.projected) {
+            *moved = self.projection(i) - self.entry(layout.anchor_at() + i);
         }
         moved
     }
@@ -171,32 +162,36 @@ fn carried(from: &ContactPoint<'_>, to: &ContactPoint<'_>) -> Result<Option<[f64
     if !from.is_held() {
         return Ok(None);
     }
-    let p = to.element.projected;
-    let anchor = if to.element.friction {
-        anchor(from, to)?
-    } else {
-        [0.0; 2]
-    };
-    let slid = if to.element.friction { p } else { 0 };
-    let path = Some(from.entry(1 + 2 * p)).filter(|_| to.element.friction);
-    // angles are about the curves: they go along as they are
-    let angles = if from.element.rolling { from } else { to };
-    let layout = to.element.history_layout();
-    let rolled = (0..layout.rolling).map(|entry| angles.entry(2 + 2 * p + entry));
-    let at = from.element.history_layout().side_at();
-    let side = (0..layout.side).map(|entry| from.entry(at + entry));
-    let multiplier = from.history.last().copied();
-    let values = [from.entry(0)]
-        .into_iter()
-        .chain((0..p).map(|i| to.entry(1 + i)))
-        .chain(anchor.into_iter().take(slid))
-        .chain(path)
-        .chain(rolled)
-        .chain(side)
-        .chain(multiplier.filter(|_| to.element.is_augmented()));
+    let (layout, own) = (to.element.history_layout(), from.element.history_layout());
     let mut history = [0.0; ROOM];
-    for (entry, value) in history.iter_mut().zip(values) {
-        *entry = value;
+    let mut put = |entry: usize, value: f64| {
+        if let Some(to) = history.get_mut(entry) {
+            *to = value;
+        }
+    };
+    for entry in 0..layout.size() {
+        put(entry, to.entry(entry));
+    }
+    put(HistoryLayout::STATUS, from.entry(HistoryLayout::STATUS));
+    if layout.slip > 0 {
+        let anchor = anchor(from, to)?;
+        for (i, anchor) in anchor.into_iter().enumerate().take(layout.projected) {
+            put(layout.anchor_at() + i, anchor);
+        }
+        put(layout.path_at(), from.entry(own.path_at()));
+    }
+    // angles are about the curves: they go along as they are, where both roll
+    for entry in 0..layout.rolling.min(own.rolling) {
+        put(
+            layout.rolling_at() + entry,
+            from.entry(own.rolling_at() + entry),
+        );
+    }
+    for entry in 0..layout.side {
+        put(layout.side_at() + entry, from.entry(own.side_at() + entry));
+    }
+    if layout.multiplier > 0 {
+        put(layout.multiplier_at(), from.entry(own.multiplier_at()));
     }
     Ok(Some(history))
 }
@@ -210,8 +205,8 @@ fn anchor(from: &ContactPoint<'_>, to: &ContactPoint<'_>) -> Result<[f64; 2], Er
     let moved = s.and_then(|s| new.parameters(&s)).ok_or(degenerate)?;
     let mut anchor = [0.0; 2];
     for (i, (anchor, moved)) in anchor.iter_mut().zip(moved).enumerate().take(p) {
-        *anchor = to.entry(1 + i) - moved;
-        if !to.element.can_be_anchor(i, *anchor) {
+        *anchor = to.projection(i) - moved;
+        if !to.element.reach().can_be_anchor(i, *anchor) {
             return Err(degenerate);
         }
     }

@@ -25,7 +25,7 @@ pub(crate) fn evaluate<
         assert!(!E::KEEPS_SIDE);
     };
     let wanted = contacts.wanted();
-    let form = (vectors, &E::centre());
+    let form = (vectors, &E::REACH, wanted.projection_given);
     let mut block = Block::<D, P, H, N>::new();
     let mut records = Records::<N>::new();
     let mut numbers = [0; ROOM + 8];

@@ -4,7 +4,7 @@ use crate::arithmetic::are_usable;
 use crate::batch::block::{Column, Inputs, ROOM, store_lanes};
 use crate::batch::compiled::BatchLanes;
 use crate::batch::contacts::Contacts;
-use crate::point::history::History;
+use crate::point::history::{History, HistoryLayout, Reach};
 
 /// Takes the inputs of the first `length` contacts; one bit for each whose inputs can be used. The list goes on with
 /// the last number.
@@ -12,7 +12,7 @@ use crate::point::history::History;
 pub(crate) fn gather<C: Contacts, T: BatchLanes, const D: usize, const P: usize, const N: usize>(
     contacts: &C,
     (numbers, length): (&[usize; ROOM + 8], usize),
-    (vectors, centre): (&[bool; N], &[f64; P]),
+    (vectors, reach, given): (&[bool; N], &Reach, bool),
     inputs: &mut Inputs<'_, D, P, N>,
 ) -> u32 {
     let mut good = 0;
@@ -29,7 +29,7 @@ pub(crate) fn gather<C: Contacts, T: BatchLanes, const D: usize, const P: usize,
         }
         good |= usable << group;
     }
-    good & others(contacts, (numbers, length), centre, inputs)
+    good & others(contacts, (numbers, length), (reach, given), inputs)
 }
 
 /// Start of the search and parameters; one bit for each contact that has them.
@@ -37,13 +37,13 @@ pub(crate) fn gather<C: Contacts, T: BatchLanes, const D: usize, const P: usize,
 fn others<C: Contacts, const D: usize, const P: usize, const N: usize>(
     contacts: &C,
     (numbers, length): (&[usize; ROOM + 8], usize),
-    centre: &[f64; P],
+    reach: (&Reach, bool),
     inputs: &mut Inputs<'_, D, P, N>,
 ) -> u32 {
     let are_same = contacts.have_same_parameters();
     let mut good = 0;
     for (slot, &number) in numbers.iter().enumerate().take(length.min(ROOM)) {
-        if start(contacts.history(number), centre, inputs, slot)
+        if start(contacts.history(number), reach, inputs, slot)
             && (are_same || own_parameters(contacts, number, inputs, slot))
         {
             good |= 1 << slot;
@@ -89,20 +89,22 @@ fn own_parameters<C: Contacts, const D: usize, const P: usize, const N: usize>(
 #[inline(always)]
 fn start<const D: usize, const P: usize, const N: usize>(
     history: Option<History<'_>>,
-    centre: &[f64; P],
+    (reach, given): (&Reach, bool),
     inputs: &mut Inputs<'_, D, P, N>,
     slot: usize,
 ) -> bool {
-    let (mut status, mut start) = (0.0, *centre);
+    let (mut status, mut start) = (0.0, reach.centre());
     if let Some(history) = history {
         if history.len() <= P {
             return false;
         }
-        status = history.at(0);
-        start = core::array::from_fn(|i| history.at(1 + i));
-        if !(are_usable(&[status]) & are_usable(&start)) {
+        status = history.at(HistoryLayout::STATUS);
+        let projection: [f64; P] =
+            core::array::from_fn(|i| history.at(HistoryLayout::PROJECTION + i));
+        if !(are_usable(&[status]) & are_usable(&projection)) {
             return false;
         }
+        start = reach.start(status, projection, given);
     }
     inputs.frozen.set(slot, status);
     for i in 0..P {

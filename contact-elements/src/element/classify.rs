@@ -11,7 +11,7 @@ use crate::element::traits::Element;
 use crate::point::blend::Blend;
 use crate::point::enforcement::enforced;
 use crate::point::friction::TangentialLaw;
-use crate::point::history::History;
+use crate::point::history::{History, HistoryLayout, is_load};
 use crate::point::law::{LARGEST_VALUE, NormalLaw, Traction};
 use crate::point::projection::foot::largest;
 use crate::point::projection::newton::project;
@@ -31,7 +31,7 @@ pub(crate) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         .history
         .and_then(|history| history.from(number * E::HISTORY));
     let given = call.wanted.projection_given;
-    let start = start::<E, D, P, H>(history);
+    let start = start::<E, D, P, H>(history, given);
     let found = project::<E, D, P, H>(stage.x, start, given, call.parameters, &mut stage.rows);
     let projected = match found {
         Ok(projected) => projected,
@@ -87,7 +87,7 @@ pub(crate) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
         return Ok(point);
     }
     let closed = match (call.wanted.freeze, history) {
-        (true, Some(history)) => is_load(history.get(0)),
+        (true, Some(history)) => is_load(history.at(HistoryLayout::STATUS)),
         _ if has_multiplier => point.law.traction < 0.0,
         _ => E::Law::active(gap, call.parameters) > 0.0,
     };
@@ -118,24 +118,17 @@ pub(crate) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
     Ok(point)
 }
 
-/// Closed, stick or slip.
-#[inline(always)]
-fn is_load(status: Option<f64>) -> bool {
-    status.is_some_and(|status| (1.0..=3.0).contains(&status))
-}
-
 /// Where the search begins: at the last projection, or at the centre.
 #[inline(always)]
 fn start<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     history: Option<History<'_>>,
+    given: bool,
 ) -> [f64; P] {
-    let mut start = E::centre();
-    if let Some(history) = history {
-        for (i, start) in start.iter_mut().enumerate() {
-            *start = history.get(1 + i).unwrap_or(*start);
-        }
-    }
-    start
+    let Some(history) = history else {
+        return E::centre();
+    };
+    let projection = core::array::from_fn(|i| history.at(HistoryLayout::PROJECTION + i));
+    E::REACH.start(history.at(HistoryLayout::STATUS), projection, given)
 }
 
 /// λ of the history or of the unknowns.
@@ -148,7 +141,7 @@ fn multiplier<E: Element<D, P, H>, const D: usize, const P: usize, const H: usiz
     if E::MULTIPLIER {
         return unknowns.get(number).copied().unwrap_or(0.0);
     }
-    history.map_or(0.0, |history| history.at(E::HISTORY - 1))
+    history.map_or(0.0, |history| history.at(E::HISTORY_LAYOUT.multiplier_at()))
 }
 
 /// N, N' and W of a closed point, where the law is defined and its values are such that forces can be made of them.

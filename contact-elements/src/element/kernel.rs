@@ -8,76 +8,7 @@ use crate::element::receiver::{Call, InputError, Receiver, Summary};
 use crate::element::stage::{MOST_COLUMNS, Stage, TangentialRows, Temporaries};
 use crate::element::traits::Element;
 use crate::point::friction::TangentialLaw;
-use crate::point::history::{
-    History, can_be_anchor, can_be_projection, is_remembered, is_side, is_status,
-};
 use crate::point::values::Rows;
-
-/// Finite numbers, a projection within [`FARTHEST_PROJECTION`] extents; with friction a status, an anchor within [`FARTHEST`] extents of a bounded domain, a path
-/// that is not negative; with rolling what [`is_remembered`] says; of edges what [`is_side`] says; a multiplier that is not positive.
-#[inline(always)]
-fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    history: &History<'_>,
-) -> Result<(), InputError> {
-    for index in 0..history.len() {
-        if !is_usable(history.at(index)) {
-            return Err(InputError::History(index));
-        }
-    }
-    let mut first = 0;
-    while let Some(own) = history.part(first, E::HISTORY) {
-        if let Err(entry) = check_point::<E, D, P, H>(&own) {
-            return Err(InputError::Impossible(first + entry));
-        }
-        first += E::HISTORY;
-    }
-    Ok(())
-}
-
-/// The first entry of a point's history that no evaluation writes.
-#[inline(always)]
-fn check_point<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    own: &History<'_>,
-) -> Result<(), usize> {
-    let at = |entry: usize| own.at(entry);
-    for i in 0..P {
-        if !can_be_projection(at(1 + i), E::centre()[i], E::extent(i)) {
-            return Err(1 + i);
-        }
-    }
-    if E::KEEPS_SIDE
-        && !is_side(&core::array::from_fn(|k| {
-            at(E::HISTORY_LAYOUT.side_at() + k)
-        }))
-    {
-        return Err(E::HISTORY_LAYOUT.side_at());
-    }
-    if !E::Tangential::ACTIVE && !E::AUGMENTED {
-        return Ok(());
-    }
-    if !is_status(at(0)) {
-        return Err(0);
-    }
-    if E::Tangential::ACTIVE {
-        for i in 0..P {
-            if !can_be_anchor(at(1 + P + i), E::centre()[i], E::extent(i)) {
-                return Err(1 + P + i);
-            }
-        }
-        if at(1 + 2 * P) < 0.0 {
-            return Err(1 + 2 * P);
-        }
-        for entry in 0..E::HISTORY_LAYOUT.rolling {
-            if !is_remembered(entry, at(2 + 2 * P + entry)) {
-                return Err(2 + 2 * P + entry);
-            }
-        }
-    }
-    if E::AUGMENTED && at(E::HISTORY - 1) > 0.0 {
-        return Err(E::HISTORY - 1);
-    }
-    Ok(())
-}
 
 /// Kernel of an element with N nodes and Q points; W ≥ D·N is the length of the scratch rows.
 #[inline(always)]
@@ -97,7 +28,7 @@ pub fn fixed<
     receiver: &mut R,
 ) -> Result<Summary, InputError> {
     match call.history {
-        Some(history) => check_history::<E, D, P, H>(&history)?,
+        Some(history) => E::HISTORY_LAYOUT.check(&E::REACH, &history)?,
         None if E::KEEPS_SIDE && !is_side_given::<E, D, P, H>(call.parameters) => {
             return Err(InputError::NoHistory);
         }
@@ -180,7 +111,7 @@ pub fn interpolated<
     receiver: &mut R,
 ) -> Result<Summary, InputError> {
     if let Some(history) = call.history {
-        check_history::<E, D, P, H>(&history)?;
+        E::HISTORY_LAYOUT.check(&E::REACH, &history)?;
     }
     for (index, &value) in call.slave_row.iter().enumerate() {
         if !is_usable(value) {

@@ -1,6 +1,6 @@
 //! What goes into an evaluation besides the nodes, and what comes out.
 
-use crate::point::history::History;
+use crate::point::history::{History, Refused};
 use crate::point::motion::Rolling;
 use crate::point::values::Status;
 
@@ -141,6 +141,16 @@ pub enum InputError {
     Workspace,
     /// A contact point failed.
     Point(Failure),
+}
+
+impl From<Refused> for InputError {
+    #[inline(always)]
+    fn from(refused: Refused) -> Self {
+        match refused {
+            Refused::NotUsable(entry) => InputError::History(entry),
+            Refused::Impossible(entry) => InputError::Impossible(entry),
+        }
+    }
 }
 
 impl From<Failure> for InputError {

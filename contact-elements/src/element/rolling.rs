@@ -12,7 +12,7 @@ use crate::arithmetic::abs;
 use crate::element::receiver::{Call, Receiver};
 use crate::element::stage::Stage;
 use crate::element::traits::Element;
-use crate::point::history::History;
+use crate::point::history::{History, HistoryLayout, held, is_load};
 use crate::point::motion::{MotionRows, Rolling, RollingAngles, RollingForce, RollingLayout};
 use crate::point::state::{Point, Sliding};
 use crate::point::values::Status;
@@ -45,19 +45,18 @@ struct Accepted {
 
 /// None where contact begins.
 #[inline(always)]
-fn accepted<const P: usize>(history: Option<History<'_>>) -> Option<Accepted> {
+fn accepted(layout: &HistoryLayout, history: Option<History<'_>>) -> Option<Accepted> {
     let history = history?;
-    let at = |index: usize| history.at(index);
-    let own = |entry: usize| at(2 + 2 * P + entry);
-    let status = at(0);
-    if !(1.0..=3.0).contains(&status) {
+    let own = |entry: usize| history.at(layout.rolling_at() + entry);
+    let status = history.at(HistoryLayout::STATUS);
+    if !is_load(status) {
         return None;
     }
     let rolled = own(4) as u8;
-    let forced = |curve: u8| match status {
-        2.0 | 3.0 if rolled & curve != 0 => Some(Status::Slip),
-        2.0 | 3.0 => Some(Status::Stick),
-        _ => None,
+    let forced = |curve: u8| match held(status) {
+        Some(_) if rolled & curve != 0 => Some(Status::Slip),
+        Some(_) => Some(Status::Stick),
+        None => None,
     };
     Some(Accepted {
         anchor: [own(0), own(1)],
@@ -100,7 +99,7 @@ pub(crate) fn roll<E: Element<D, P, H>, const D: usize, const P: usize, const H:
     if !angles.are_known::<E, D, P, H>(&layout) {
         return Err(Status::Degenerate);
     }
-    let remembered = accepted::<P>(history);
+    let remembered = accepted(&E::HISTORY_LAYOUT, history);
     let begins = remembered.is_none();
     let Accepted {
         anchor,

@@ -8,7 +8,7 @@ use crate::element::stage::{Stage, TangentialRows, scale_variation};
 use crate::element::tangential_contraction::{Shares, contract_sliding};
 use crate::element::traits::Element;
 use crate::point::friction::{Tangential, return_map};
-use crate::point::history::{History, can_be_anchors};
+use crate::point::history::{History, HistoryLayout, held, is_load};
 use crate::point::placement::Placement;
 use crate::point::state::{Point, Sliding};
 use crate::point::values::{Coefficients, Frame, Gap, Rows, Status, Vectors};
@@ -18,13 +18,16 @@ const LEAST_SHARE: f64 = 1e-20;
 
 /// Anchor and slip path of the accepted history; none where contact begins. [eq:anchor]
 #[inline(always)]
-fn accepted<const P: usize>(history: Option<History<'_>>) -> Option<([f64; P], f64)> {
+fn accepted<const P: usize>(
+    layout: &HistoryLayout,
+    history: Option<History<'_>>,
+) -> Option<([f64; P], f64)> {
     let history = history?;
-    let at = |index: usize| history.at(index);
-    if at(0) < 1.0 || at(0) > 3.0 {
+    if !is_load(history.at(HistoryLayout::STATUS)) {
         return None;
     }
-    Some((core::array::from_fn(|i| at(1 + P + i)), at(1 + 2 * P)))
+    let anchor = core::array::from_fn(|i| history.at(layout.anchor_at() + i));
+    Some((anchor, history.at(layout.path_at())))
 }
 
 /// First pass over a closed point: frame, slip, return map, new anchor; writes no output.
@@ -40,7 +43,7 @@ pub(crate) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
         .history
         .and_then(|history| history.from(number * E::HISTORY));
     // contact that begins is anchored where it is
-    let remembered = accepted(history);
+    let remembered = accepted(&E::HISTORY_LAYOUT, history);
     let (anchor, path) = remembered.unwrap_or((zeta, 0.0));
     let moved = core::array::from_fn(|i| zeta[i] - anchor[i]);
     let frame = E::frame(number, x, vectors, gap, &moved, call.parameters);
@@ -53,14 +56,9 @@ pub(crate) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
         *to = from;
     }
     let own = call.parameters.get(E::LAYOUT.tangential..).unwrap_or(&[]);
-    let forced = match (
-        call.wanted.freeze,
-        history.and_then(|history| history.get(0)),
-    ) {
-        (true, Some(status)) if status == 2.0 => Some(Status::Stick),
-        (true, Some(status)) if status == 3.0 => Some(Status::Slip),
-        _ => None,
-    };
+    let forced = history
+        .filter(|_| call.wanted.freeze)
+        .and_then(|history| held(history.at(HistoryLayout::STATUS)));
     let status =
         return_map::<E::Tangential>(s, (-traction, path), own, forced, &mut sliding.tangential)?;
     if remembered.is_none() {
@@ -72,11 +70,7 @@ pub(crate) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
     if status == Status::Slip {
         sliding.move_anchor(&zeta, s);
         // tangents so nearly parallel that no history could say where the slip began
-        if !can_be_anchors(
-            &sliding.anchor,
-            &E::centre(),
-            &core::array::from_fn(E::extent),
-        ) {
+        if !E::REACH.can_be_anchors(&sliding.anchor) {
             return Err(Status::Degenerate);
         }
     }

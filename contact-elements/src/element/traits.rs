@@ -5,7 +5,7 @@ use crate::lanes::Real;
 use crate::point::blend::{AngleCoefficients, AngleForm, Blend};
 use crate::point::domain::Domain;
 use crate::point::friction::{Tangential, TangentialLaw};
-use crate::point::history::HistoryLayout;
+use crate::point::history::{HistoryLayout, Reach};
 use crate::point::law::{NormalLaw, Traction};
 use crate::point::motion::{
     Rolling, RollingAngles, RollingCoefficients, RollingForce, RollingLayout,
@@ -133,10 +133,16 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
         [Self::DOMAINS[0].extent(0), Self::DOMAINS[0].extent(1)]
     };
 
+    /// How far a history may lead.
+    const REACH: Reach = Reach {
+        centre: Self::START,
+        extent: Self::EXTENTS,
+    };
+
     /// [`Element::START`] as parameters.
     #[inline(always)]
     fn centre() -> [f64; P] {
-        core::array::from_fn(|i| Self::START.get(i).copied().unwrap_or(0.0))
+        Self::REACH.centre()
     }
 
     /// True where ζ = (slave curve, master curve).

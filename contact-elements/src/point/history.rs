@@ -1,9 +1,12 @@
-//! Where the entries of a contact point's history stand.
+//! The history of a contact point: where its entries stand, and which values can stand there.
+//!
+//! All zero is a valid beginning for every element: open, no projection yet (the search starts at the centre), no
+//! anchor, no side, no multiplier.
 
 use core::cell::Cell;
 
 use crate::arithmetic::{abs, is_usable};
-use crate::point::values::dot;
+use crate::point::values::{Status, dot};
 
 /// Lengths of the parts of a contact point's history after the status, in their order; 0 where a part is absent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +29,7 @@ const ROLLING: usize = 5;
 const SIDE: usize = 3;
 
 impl HistoryLayout {
-    /// Of a point with these parts.
+    /// The layout of a point with these parts.
     pub const fn new(
         projected: usize,
         has_friction: bool,
@@ -43,14 +46,186 @@ impl HistoryLayout {
         }
     }
 
+    /// Where the status stands.
+    pub const STATUS: usize = 0;
+
+    /// Where the projection begins.
+    pub const PROJECTION: usize = 1;
+
+    /// Where the anchor begins.
+    pub const fn anchor_at(&self) -> usize {
+        Self::PROJECTION + self.projected
+    }
+
+    /// Where the slip path stands.
+    pub const fn path_at(&self) -> usize {
+        self.anchor_at() + self.projected
+    }
+
+    /// Where the part of rolling begins.
+    pub const fn rolling_at(&self) -> usize {
+        self.anchor_at() + self.slip
+    }
+
     /// Where the normal begins.
     pub const fn side_at(&self) -> usize {
-        1 + self.projected + self.slip + self.rolling
+        self.rolling_at() + self.rolling
+    }
+
+    /// Where the multiplier stands.
+    pub const fn multiplier_at(&self) -> usize {
+        self.side_at() + self.side
     }
 
     /// Doubles of a contact point.
     pub const fn size(&self) -> usize {
-        self.side_at() + self.side + self.multiplier
+        self.multiplier_at() + self.multiplier
+    }
+
+    /// Refuses a history, of any number of points, that no evaluation can have written.
+    #[inline(always)]
+    pub(crate) fn check(&self, reach: &Reach, history: &History<'_>) -> Result<(), Refused> {
+        for entry in 0..history.len() {
+            if !is_usable(history.at(entry)) {
+                return Err(Refused::NotUsable(entry));
+            }
+        }
+        let mut first = 0;
+        while let Some(own) = history.part(first, self.size()) {
+            if let Some(entry) = self.first_impossible(reach, |entry| own.at(entry)) {
+                return Err(Refused::Impossible(first + entry));
+            }
+            first += self.size();
+        }
+        Ok(())
+    }
+
+    /// An entry of one point's history that no evaluation writes. All entries are usable numbers. The status decides
+    /// nothing without friction or a multiplier, so a host may write there what it likes.
+    #[inline(always)]
+    pub(crate) fn first_impossible(
+        &self,
+        reach: &Reach,
+        at: impl Fn(usize) -> f64,
+    ) -> Option<usize> {
+        for i in 0..self.projected {
+            if !reach.can_be_projection(i, at(Self::PROJECTION + i)) {
+                return Some(Self::PROJECTION + i);
+            }
+        }
+        let side = self.side_at();
+        if self.side > 0 && !is_side(&core::array::from_fn(|k| at(side + k))) {
+            return Some(side);
+        }
+        if self.slip == 0 && self.multiplier == 0 {
+            return None;
+        }
+        if !is_status(at(Self::STATUS)) {
+            return Some(Self::STATUS);
+        }
+        if self.slip > 0
+            && let Some(entry) = self.first_impossible_of_slip(reach, &at)
+        {
+            return Some(entry);
+        }
+        let multiplier = self.multiplier_at();
+        (self.multiplier > 0 && at(multiplier) > 0.0).then_some(multiplier)
+    }
+
+    #[inline(always)]
+    fn first_impossible_of_slip(&self, reach: &Reach, at: impl Fn(usize) -> f64) -> Option<usize> {
+        for i in 0..self.projected {
+            if !reach.can_be_anchor(i, at(self.anchor_at() + i)) {
+                return Some(self.anchor_at() + i);
+            }
+        }
+        if at(self.path_at()) < 0.0 {
+            return Some(self.path_at());
+        }
+        for entry in 0..self.rolling {
+            if !is_remembered(entry, at(self.rolling_at() + entry)) {
+                return Some(self.rolling_at() + entry);
+            }
+        }
+        None
+    }
+}
+
+/// Why a history is refused, and the entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Refused {
+    /// The entry is NaN or too large.
+    NotUsable(usize),
+    /// No evaluation writes this: the number of no status, a projection or an anchor far outside, a negative path, an
+    /// angle beyond [`FARTHEST_ANGLE`], the number of no regime, no unit normal, a multiplier that pulls.
+    Impossible(usize),
+}
+
+/// How far histories may lead: the middle of the domain and its extent, infinite where a bound is missing, of each
+/// projected parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach {
+    /// Where the search for a projection starts without a history.
+    pub centre: [f64; 2],
+    /// Extents.
+    pub extent: [f64; 2],
+}
+
+/// An anchor is at most this many extents from the middle of a bounded domain.
+const FARTHEST: f64 = 1e3;
+
+/// A projection is at most this many extents from the middle of a bounded domain: Newton's method gives up before.
+pub(crate) const FARTHEST_PROJECTION: f64 = 1e7;
+
+impl Reach {
+    /// True for an anchor of parameter `i` within [`FARTHEST`] extents of the middle, and for 0: nothing remembered.
+    #[inline(always)]
+    pub(crate) fn can_be_anchor(&self, i: usize, value: f64) -> bool {
+        self.contains(i, value, FARTHEST)
+    }
+
+    /// True where all of them are anchors. A call: it is asked off the common path.
+    #[inline(never)]
+    pub(crate) fn can_be_anchors(&self, values: &[f64]) -> bool {
+        let mut all = values.iter().enumerate();
+        all.all(|(i, &value)| self.can_be_anchor(i, value))
+    }
+
+    /// True for a projection within [`FARTHEST_PROJECTION`] extents of the middle, and for 0.
+    #[inline(always)]
+    pub(crate) fn can_be_projection(&self, i: usize, value: f64) -> bool {
+        self.contains(i, value, FARTHEST_PROJECTION)
+    }
+
+    #[inline(always)]
+    fn contains(&self, i: usize, value: f64, extents: f64) -> bool {
+        let (Some(centre), Some(extent)) = (self.centre.get(i), self.extent.get(i)) else {
+            return false;
+        };
+        is_usable(value) && (abs(value - centre) <= extents * extent || value == 0.0)
+    }
+
+    /// The first parameters of the centre.
+    #[inline(always)]
+    pub(crate) fn centre<const P: usize>(&self) -> [f64; P] {
+        core::array::from_fn(|i| self.centre.get(i).copied().unwrap_or(0.0))
+    }
+
+    /// Where the search begins: at the accepted projection. A point that is open and has all zeros there has none yet, so
+    /// it begins at the centre as without a history, unless the projection is `given`.
+    #[inline(always)]
+    pub(crate) fn start<const P: usize>(
+        &self,
+        status: f64,
+        projection: [f64; P],
+        given: bool,
+    ) -> [f64; P] {
+        let centre = self.centre();
+        if centre != [0.0; P] && !given && status == 0.0 && projection == [0.0; P] {
+            centre
+        } else {
+            projection
+        }
     }
 }
 
@@ -114,48 +289,34 @@ impl History<'_> {
     }
 }
 
-/// An anchor is at most this many extents from the middle of a bounded domain.
-const FARTHEST: f64 = 1e3;
-
-/// A projection is at most this many extents from the middle of a bounded domain: Newton's method gives up before.
-pub(crate) const FARTHEST_PROJECTION: f64 = 1e7;
-
-/// Whether an anchor lies within [`FARTHEST`] extents of the middle of a bounded domain.
-#[inline(always)]
-pub(crate) fn can_be_anchor(value: f64, centre: f64, extent: f64) -> bool {
-    is_usable(value) && abs(value - centre) <= FARTHEST * extent
-}
-
-/// Whether all of them are anchors.
-#[inline(never)]
-pub(crate) fn can_be_anchors<const P: usize>(
-    values: &[f64; P],
-    centre: &[f64; P],
-    extent: &[f64; P],
-) -> bool {
-    let mut possible = true;
-    for i in 0..P {
-        possible &= can_be_anchor(values[i], centre[i], extent[i]);
-    }
-    possible
-}
-
-/// Whether a projection lies within [`FARTHEST_PROJECTION`] extents of the middle of a bounded domain.
-#[inline(always)]
-pub(crate) fn can_be_projection(value: f64, centre: f64, extent: f64) -> bool {
-    is_usable(value) && abs(value - centre) <= FARTHEST_PROJECTION * extent
-}
-
-/// The number of a status.
+/// True for the number of a status.
 #[inline(always)]
 pub(crate) fn is_status(value: f64) -> bool {
     (0.0..=8.0).contains(&value) && f64::from(value as u8) == value
 }
 
-/// Largest anchor of an angle [rad].
-const FARTHEST_ANGLE: f64 = 1e3;
+/// True for the status of a point in contact: closed, stick or slip.
+#[inline(always)]
+pub(crate) fn is_load(status: f64) -> bool {
+    (1.0..=3.0).contains(&status)
+}
 
-/// Anchor, path and regime that an evaluation can have written; `entry` counts from the first of them.
+/// Sticking or sliding, where a status says so.
+#[inline(always)]
+pub(crate) fn held(status: f64) -> Option<Status> {
+    if status == Status::Stick as i32 as f64 {
+        Some(Status::Stick)
+    } else if status == Status::Slip as i32 as f64 {
+        Some(Status::Slip)
+    } else {
+        None
+    }
+}
+
+/// Largest anchor of an angle [rad].
+pub(crate) const FARTHEST_ANGLE: f64 = 1e3;
+
+/// True for an anchor, path or regime that an evaluation can have written; `entry` counts from the first of them.
 #[inline]
 pub(crate) fn is_remembered(entry: usize, value: f64) -> bool {
     match entry {
@@ -168,7 +329,7 @@ pub(crate) fn is_remembered(entry: usize, value: f64) -> bool {
 /// Most that the squared length of a remembered normal differs from 1.
 const UNIT: f64 = 1e-6;
 
-/// Whether an evaluation or a beginning can have left this.
+/// True for a unit normal, and for zero: no side is remembered.
 #[inline]
 pub(crate) fn is_side(normal: &[f64; 3]) -> bool {
     *normal == [0.0; 3] || abs(dot(normal, normal) - 1.0) <= UNIT

@@ -2,13 +2,11 @@
 //! are settled at once.
 
 use super::run::{Run, ScreenKernel};
-use crate::arithmetic::is_usable;
 use crate::batch::block::ROOM;
 use crate::batch::screen::SCREENED;
 use crate::codes::request;
-use crate::descriptor::Descriptor;
 use crate::element::receiver::{Receiver, Report};
-use crate::point::history::{History, is_status};
+use crate::point::history::HistoryLayout;
 use crate::point::motion::Rolling;
 use crate::point::values::Status;
 
@@ -83,11 +81,12 @@ impl Run<'_> {
         let is_reported = shape.wants(request::HISTORY | request::OUTPUT);
         let mut zeta = element.centre;
         if let (Some(history), true) = (history, is_reported) {
-            if !could_be_written(element, &history) {
+            let layout = element.history_layout();
+            if layout.check(&element.reach(), &history).is_err() {
                 return false;
             }
             for (i, to) in zeta.iter_mut().enumerate().take(element.projected) {
-                *to = history.get(1 + i).unwrap_or(*to);
+                *to = history.get(HistoryLayout::PROJECTION + i).unwrap_or(*to);
             }
         }
         let mut target = self.outputs.target(number);
@@ -118,14 +117,4 @@ fn report(bound: f64, zeta: [f64; 2]) -> Report {
         multiplier: 0.0,
         rolling: Rolling::default(),
     }
-}
-
-/// True for a history that an evaluation takes: no edges, rolling or multipliers, which have no screen.
-fn could_be_written(element: &Descriptor, history: &History<'_>) -> bool {
-    let (p, slip) = (element.projected, element.history_layout().slip);
-    let at = |entry: usize| history.at(entry);
-    let is_remembered = |i: usize| element.can_be_anchor(i, at(1 + p + i));
-    (0..history.len()).all(|entry| is_usable(at(entry)))
-        && (0..p).all(|i| element.can_be_projection(i, at(1 + i)))
-        && (slip == 0 || is_status(at(0)) && (0..p).all(is_remembered) && at(2 * p + 1) >= 0.0)
 }

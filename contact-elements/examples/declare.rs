@@ -1,4 +1,4 @@
-//! A geometry, a law and an element of one's own: declare, evaluate, print R and K.
+//! Declares a geometry, a law and an element, evaluates the element and prints R and K.
 //!
 //! Run: `cargo run --release -p contact-elements --example declare`
 

@@ -17,8 +17,8 @@ pub fn sqrt(x: f64) -> f64 {
     libm::sqrt(x)
 }
 
-/// a/b of a divisor that was found to be positive, its size limited to 1e30. The compiler may divide before the branch
-/// that looks at the divisor, and hosts run with traps for what is invalid or overflows.
+/// a/b for a divisor that was found to be positive; its size is limited to 1e30. The compiler may divide before the
+/// branch that tests the divisor, and hosts run with traps for invalid and overflow.
 #[inline(always)]
 pub(crate) fn quotient(a: f64, b: f64) -> f64 {
     let least = 1e-30 * abs(a) + 1e-200;
@@ -73,14 +73,14 @@ pub fn abs(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & !(1 << 63))
 }
 
-/// `x`, or ±1 where it is 0: what a guarded program divides by. On the bits, so that no optimisation
-/// makes a choice between two quotients of it.
+/// `x`, or ±1 where it is 0: the divisor of a guarded program. It works on the bits, so that no optimisation
+/// turns it into a choice between two quotients.
 #[inline(always)]
 pub fn divisor(x: f64) -> f64 {
     f64::from_bits(x.to_bits() | (u64::from(x == 0.0) * 1.0f64.to_bits()))
 }
 
-/// `x`, or 0 where it is negative: what a guarded program takes the root of.
+/// `x`, or 0 where it is negative: the argument of a root in a guarded program.
 #[inline(always)]
 pub fn radicand(x: f64) -> f64 {
     let bits = x.to_bits();

@@ -21,8 +21,8 @@ fn is_held(history: &[f64]) -> bool {
     status.is_some_and(|&status| held(status).is_some())
 }
 
-/// Anchors that lie far outside once they are moved. The projections of trial and start differ by a step, so this is no
-/// pair of histories of one step.
+/// Anchors that would lie far outside once they are moved. The projections of trial and start differ by a step, so such
+/// histories are not a pair of one step.
 fn check_anchors(element: &Descriptor, trial: &[f64], accepted: &[f64]) -> Result<(), Error> {
     let (size, p) = (element.point_history(), element.projected);
     for number in 0..element.points {
@@ -68,8 +68,8 @@ fn augment_point(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) {
 
 /// One step of Uzawa's iteration: the multipliers of an accepted history become those of a trial state.
 ///
-/// `trial` is the trial history of a converged evaluation with `accepted`; `accepted` stays the state at the start of
-/// the step in all but its multipliers, and the anchors move with the points.
+/// `trial` is the trial history of a converged evaluation with `accepted`. Apart from its multipliers, `accepted` keeps the
+/// state at the start of the step; the anchors move with the points.
 ///
 /// # Errors
 /// `accepted` is untouched and the error names the argument: [`ELEMENT`](crate::code::ELEMENT) for an element without

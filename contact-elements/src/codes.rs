@@ -77,7 +77,7 @@ pub mod request {
     pub const SYMMETRISE: u32 = 64;
     pub const PROJECTION_GIVEN: u32 = 128;
     pub const SCREEN: u32 = 256;
-    /// Batches: `csr_map` has a place for every pair of nodes, made by `csr_blocks`.
+    /// Batches: `csr_map` has an entry for every pair of nodes and comes from `csr_blocks`.
     pub const CSR_BY_BLOCKS: u32 = 512;
 }
 

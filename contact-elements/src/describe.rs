@@ -1,4 +1,4 @@
-//! What elements there are and what each needs.
+//! Which elements there are and what each needs.
 
 use crate::codes::{argument, kind};
 use crate::descriptor::Descriptor;
@@ -75,7 +75,7 @@ pub(crate) fn unknown(element: &Descriptor, n: usize, index: usize) -> Option<(u
     Some((a, first + component as i32))
 }
 
-/// The parameters that are checked of so many that a host hands in.
+/// The parameters to check, of those that a host passes.
 pub(crate) fn parameter_count(element: &Descriptor, count: i32) -> usize {
     let count = usize::try_from(count).unwrap_or(0);
     count.min(element.parameters.len())

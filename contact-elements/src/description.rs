@@ -22,13 +22,13 @@ pub struct ElementDescription {
     pub master: MasterDescription,
     /// Normal law.
     pub law: &'static LawPrograms,
-    /// Tangential law; none: frictionless.
+    /// Tangential law; `None` if frictionless.
     pub tangential: Option<&'static TangentialLawPrograms>,
     /// First axis of an orthotropic tangential law.
     pub axis: AxisDescription,
-    /// Moments about two curves; none: they roll freely.
+    /// Moments about two curves; `None` if they roll freely.
     pub rolling: Option<&'static RollingDescription>,
-    /// Weight by the angle of two curves; none: any angle.
+    /// Weight by the angle of two curves; `None` for any angle.
     pub angle: Option<&'static AngleDescription>,
     /// True where a rigid geometry is placed by parameters.
     pub placed: bool,

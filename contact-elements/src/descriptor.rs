@@ -42,9 +42,9 @@ pub struct Descriptor {
     pub documentation: &'static str,
     /// Space dimension.
     pub dimension: usize,
-    /// Slave nodes; 0: given in the call.
+    /// Slave nodes; 0 if the call gives them.
     pub slave_nodes: usize,
-    /// Master nodes; 0: rigid.
+    /// Master nodes; 0 if rigid.
     pub master_nodes: usize,
     /// True where the slave row comes in the call.
     pub interpolated: bool,
@@ -60,7 +60,7 @@ pub struct Descriptor {
     pub enforcement: Enforcement,
     /// True where it has moments about two curves.
     pub rolling: bool,
-    /// Where `angle_low` and `angle_high` stand in the parameters; none: the contact acts at any angle.
+    /// Where `angle_low` and `angle_high` stand in the parameters; `None` if the contact acts at any angle.
     pub angle: Option<usize>,
     /// True for edges of solids, whose side the history keeps.
     pub keeps_side: bool,
@@ -74,7 +74,7 @@ pub struct Descriptor {
     pub operations: usize,
     /// Hash of the formulation.
     pub formulation: u64,
-    /// Which nodes are tangent vectors; of interpolated elements the master nodes only.
+    /// Which nodes are tangent vectors; of interpolated elements only the master nodes are listed.
     pub vectors: &'static [bool],
     /// Start of the projection.
     pub centre: [f64; 2],
@@ -86,7 +86,7 @@ pub struct Descriptor {
     pub layout: Layout,
     /// Domains of the projected parameters: slave curve first where both are projected.
     pub domains: [Domain; 2],
-    /// Periods of a rigid master's parameters; 0: none.
+    /// Periods of a rigid master's parameters; 0 if not periodic.
     pub periods: [f64; 2],
     /// Extents of the projected parameters; infinite where a bound is missing.
     pub extents: [f64; 2],
@@ -122,7 +122,7 @@ impl Descriptor {
         matches!(self.enforcement, Enforcement::Augmented)
     }
 
-    /// Multipliers that are unknowns, each with a node of its own behind all others.
+    /// Multipliers that are unknowns; each has a node, which follows all others.
     pub fn multipliers(&self) -> usize {
         if self.enforcement == Enforcement::Multiplier {
             self.points

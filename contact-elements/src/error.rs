@@ -7,7 +7,7 @@ use crate::element::receiver::InputError;
 use crate::messages::{argument_text, code_text};
 use crate::point::values::Status;
 
-/// Why a call was refused, or why a state cannot be evaluated. Outputs are as they were before the call.
+/// Why a call was refused, or why a state cannot be evaluated. Outputs are unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Error {
     /// Number of the error in [`code`](mod@crate::codes::code); [`code::CUT_BACK`] asks for a smaller step.

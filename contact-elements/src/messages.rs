@@ -1,4 +1,4 @@
-//! Texts of codes, statuses and arguments: static, zero-terminated for C, each says what to do.
+//! Texts of codes, statuses and arguments: static, zero-terminated for C; each says what to do.
 
 use crate::codes::{argument, code};
 
@@ -18,19 +18,19 @@ pub(crate) fn code_text(value: i32) -> &'static str {
             "a parameter is missing or outside its range: see cte_element_parameter\0"
         }
         code::REQUEST => {
-            "an unknown request bit, or one the element does not offer: see cte_info.requests\0"
+            "the request has an unknown bit, or one that the element does not offer: see cte_info.requests\0"
         }
         code::WORKSPACE => "the workspace is too small: see cte_info.workspace\0",
         code::NOT_FINITE => "a value is NaN, infinite or larger than 1e30\0",
         code::INDEX => "an index is out of range\0",
-        code::NAME => "no element of that name: see cte_element_get\0",
+        code::NAME => "no element has this name: see cte_element_get\0",
         code::VERSION => "the library has another major version than the header\0",
         code::STRIDE => "strides are negative, let entries overlap or reach beyond any memory\0",
         code::HISTORY => {
-            "an entry of a history that no evaluation writes: no status, a projection or anchor far outside, a negative path, no regime of rolling, a positive multiplier, or not that of the output\0"
+            "the history could not come from this library (invalid status or regime, projection or anchor out of range, negative path, non-unit normal, positive multiplier), or does not belong to the output\0"
         }
         code::ELEMENT => {
-            "the element's history has no such entries, or those of another kind of element\0"
+            "the element does not fit the call: its history lacks the entries, or it is of another kind\0"
         }
         _ => "not a return code of this library\0",
     }

@@ -14,13 +14,13 @@ use crate::search::{Closest, Gathered, closest, declared};
 pub struct Query<'a> {
     /// Reference coordinates \[nodes · dimension\], length.
     pub x: &'a [f64],
-    /// Displacements \[nodes · dimension\], length; empty: zero.
+    /// Displacements \[nodes · dimension\], length; empty for zero.
     pub u: &'a [f64],
     /// Parameters.
     pub parameters: &'a [f64],
     /// Interpolated slaves: shape row and weight.
     pub slave_row: &'a [f64],
-    /// Nothing farther is looked for, length; 0: no limit.
+    /// Reach of the search, length; 0 means no limit.
     pub reach: f64,
 }
 
@@ -116,7 +116,7 @@ pub(crate) fn closest_of(
     let zeta = gathered.declared(&sides);
     let found = match zeta.filter(|&zeta| domain.feature(zeta, 0.0) == 0) {
         Some(zeta) => declared(&sides, zeta, reach),
-        // beyond the domain the declared point says nothing
+        // beyond the domain the declared point has no meaning
         None => closest(&sides, &element.domains, &element.periods, reach),
     };
     found.ok_or(refused)
@@ -125,7 +125,7 @@ pub(crate) fn closest_of(
 /// Makes `entries` the initial history of a point at its closest point.
 pub(crate) fn start(element: &Descriptor, closest: &Closest, entries: &mut [f64]) {
     let layout = element.history_layout();
-    // a foot so far away that no evaluation takes it is no start
+    // a foot so far away that no evaluation accepts it is not used as start
     let at = |i: usize| {
         let (zeta, centre) = (closest.zeta.get(i), element.centre.get(i));
         let zeta = zeta.filter(|&&zeta| element.reach().can_be_projection(i, zeta));

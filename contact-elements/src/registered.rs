@@ -1,4 +1,4 @@
-//! An element with its kernels: what a library holds of it.
+//! An element with its kernels, as a library holds it.
 
 use core::ops::Deref;
 
@@ -14,9 +14,9 @@ pub struct Registered {
     pub descriptor: Descriptor,
     /// The kernel of one contact.
     pub kernel: Kernel,
-    /// The kernel in lanes, where the declaration asks for one.
+    /// The kernel in lanes, if the declaration asks for one.
     pub lanes: Option<BatchKernel>,
-    /// What tells open contacts without their projection, where something can.
+    /// Recognises open contacts without their projection, for elements that offer it.
     pub screen: Option<ScreenKernel>,
 }
 

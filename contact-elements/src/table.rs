@@ -1,7 +1,7 @@
 //! The programs of an element as constant tables: what a verifier interprets, and what global projection and patches
 //! evaluate.
 //!
-//! The kernels read none of them: they call the compiled functions.
+//! The kernels read no table: they call the compiled functions.
 
 /// One operation; operands are positions of earlier operations.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +77,7 @@ pub struct GeometryPrograms {
     pub name: &'static str,
     /// Shape rows, rigid position or distance with their derivatives to second order.
     pub values: Table,
-    /// Third derivatives (none for distance functions).
+    /// Third derivatives; `None` for distance functions.
     pub third: Option<Table>,
     /// Closed projection.
     pub projection: Option<Table>,
@@ -92,7 +92,7 @@ pub struct LawPrograms {
     pub law: Table,
     /// Positive where the law acts.
     pub active: Table,
-    /// Positive where the law is defined; none: everywhere.
+    /// Positive where the law is defined; `None` if it is defined everywhere.
     pub valid: Option<Table>,
 }
 
@@ -105,14 +105,14 @@ pub struct TangentialLawPrograms {
     pub orthotropic: bool,
     /// Pressure, slip, parameters → stiffness, bound and its slopes.
     pub friction: Table,
-    /// Force beyond the bound; none for a law that sticks always.
+    /// Force beyond the bound; `None` for a law that always sticks.
     pub sliding: Option<Table>,
 }
 
 /// First axis of an orthotropic tangential law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxisDescription {
-    /// The law has none.
+    /// The law has no axis.
     None,
     /// Along wⁱ b_i, w given at run time.
     Convected,
@@ -131,7 +131,7 @@ pub struct RollingDescription {
     pub angle: Table,
     /// Coefficients of the residual.
     pub residual: Table,
-    /// Coefficients of the tangent; none for residual-only elements.
+    /// Coefficients of the tangent; `None` for residual-only elements.
     pub tangent: Option<Table>,
 }
 
@@ -148,7 +148,7 @@ pub struct AngleDescription {
     pub weight: Table,
     /// Form of the residual.
     pub residual: Table,
-    /// Pairs of forms of the tangent; none for residual-only elements.
+    /// Pairs of forms of the tangent; `None` for residual-only elements.
     pub tangent: Option<Table>,
 }
 
@@ -157,7 +157,7 @@ pub struct AngleDescription {
 pub struct ElementPrograms {
     /// r, b_i → n, L, g.
     pub gap: Table,
-    /// Coefficients of the tangent; none for residual-only elements.
+    /// Coefficients of the tangent; `None` for residual-only elements.
     pub tangent: Option<Table>,
     /// Jacobian of the slave.
     pub measure: Option<Table>,

@@ -1,4 +1,4 @@
-//! The history of one contact point taken along to another element. [eq:transfer]
+//! Carries the history of one contact point along to another element. [eq:transfer]
 
 use crate::arithmetic::{abs, is_usable};
 use crate::codes::{argument, code};
@@ -14,7 +14,7 @@ const PROJECTION: usize = 4;
 const NORMAL: usize = 6;
 const TANGENTS: usize = 13;
 /// Most that the projections in history and output may differ, relative to 1 or themselves: the output may
-/// come from an evaluation of the accepted state anew.
+/// come from a second evaluation of the accepted state.
 const APART: f64 = 1e-6;
 /// Most entries of a point's history.
 const ROOM: usize = HistoryLayout::new(2, true, true, true, true).size();
@@ -118,7 +118,7 @@ impl<'a> ContactPoint<'a> {
         ))
     }
 
-    /// Sticking or sliding; in contact where there is no friction.
+    /// Sticking or sliding; without friction in contact.
     fn is_held(&self) -> bool {
         let held: &[Status] = if self.element.friction {
             &[Status::Stick, Status::Slip]
@@ -129,7 +129,7 @@ impl<'a> ContactPoint<'a> {
         held.iter().any(|&held| status == f64::from(held as i32))
     }
 
-    /// What the two elements must have in common.
+    /// Checks what the two elements must have in common.
     fn kind(&self) -> (usize, usize, bool, bool, bool) {
         let element = self.element;
         (
@@ -152,7 +152,7 @@ impl<'a> ContactPoint<'a> {
     }
 }
 
-/// The new history of `to`; none where the accepted point is not in contact, and nothing is to be carried.
+/// The trial history of `to`; `None` if the accepted point is not in contact, so that nothing is carried.
 fn carried(from: &ContactPoint<'_>, to: &ContactPoint<'_>) -> Result<Option<[f64; ROOM]>, Error> {
     from.check()?;
     to.check()?;
@@ -180,7 +180,7 @@ fn carried(from: &ContactPoint<'_>, to: &ContactPoint<'_>) -> Result<Option<[f64
         }
         put(layout.path_at(), from.entry(own.path_at()));
     }
-    // angles are about the curves: they go along as they are, where both roll
+    // angles are about the curves, so they are carried unchanged if both roll
     for entry in 0..layout.rolling.min(own.rolling) {
         put(
             layout.rolling_at() + entry,
@@ -235,7 +235,7 @@ pub struct Entered<'a> {
     pub history: &'a mut [f64],
 }
 
-/// Takes the history of a contact point along when its projection passes from one element to a neighbour.
+/// Carries the history of a contact point along when its projection passes from one element to a neighbour.
 ///
 /// Status, anchor (so that the elastic slip stays), slip path, normal of edges and multiplier of the accepted point are
 /// put into the history of `to`, and where both roll the angles with their paths. Returns the status that `to` has

@@ -12,8 +12,8 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {}
 }
 
-// The precompiled core names an unwinding routine that nothing calls: panics abort, and there are none.
-// Weak and hidden, so that it neither leaves this library nor clashes with a host's own.
+// The precompiled core names an unwinding routine that nothing calls: no panic exists, and a panic would abort.
+// The stub is weak and hidden, so that it neither leaves this library nor clashes with one of the host.
 #[cfg(all(
     not(feature = "threads"),
     target_os = "linux",

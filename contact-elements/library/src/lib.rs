@@ -1,7 +1,7 @@
 //! The built-in elements: types in the order of their indices, and the lists of all of them.
 //!
-//! Two crates have them, which are compiled side by side, each as one unit of code. A crate with elements of its own
-//! needs `contact-elements` alone.
+//! They live in two crates that are compiled side by side, each as one unit of code. A crate with its own elements
+//! needs only `contact-elements`.
 #![no_std]
 
 #[doc(inline)]

@@ -102,7 +102,7 @@ pub(super) unsafe fn guarded(
     }
 }
 
-/// What the struct says of counts, strides and arrays.
+/// Counts, strides and arrays as the struct gives them.
 fn form(batch: &Batch) -> Form {
     Form {
         request: batch.request,

@@ -76,7 +76,7 @@ unsafe fn evaluated(element: &Registered, arguments: &Arguments) -> Result<Summa
     run(element, (&call, &nodes), memory, &mut target, symmetrise)
 }
 
-/// The row and weight of an interpolated slave; of other slaves nothing.
+/// The row and weight of an interpolated slave; empty for other slaves.
 ///
 /// # Safety
 /// `values` is null or has nslave + 1 entries.
@@ -138,7 +138,7 @@ unsafe fn target<'a>(
     }
 }
 
-/// The host's matrix with so many rows; null: none.
+/// The host's matrix with so many rows; null means no matrix.
 ///
 /// # Safety
 /// `k` is null or has an entry for every pair of rows at the strides of the arguments.

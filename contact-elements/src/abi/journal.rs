@@ -1,20 +1,20 @@
-//! Contributions to entries of another part's nodes: written down while the parts work, added when all are done.
+//! Contributions to entries of another part's nodes: recorded while the parts work, added when all are done.
 
 use std::vec::Vec;
 
 use crate::evaluation::places::Places;
 
-/// Nodes whose entries one thread adds up when journals are read: some, so that threads do not write side by side.
+/// Nodes whose entries one thread adds up when journals are read: several, so that threads do not write side by side.
 const NEIGHBOURS: usize = 16;
 
-/// What one part writes down, in the order in which it would have added it.
+/// What one part records, in the order in which it would have added it.
 #[derive(Default)]
 pub(super) struct Journal<'a> {
     forces: Vec<Force>,
     rows: Vec<Row<'a>>,
     /// The values of all rows, one after another.
     values: Vec<f64>,
-    /// There was no memory left: something is missing.
+    /// The memory ran out and some contributions are missing.
     pub(super) is_short: bool,
 }
 
@@ -32,7 +32,7 @@ struct Row<'a> {
     length: usize,
 }
 
-/// Numbers that a row takes beside its contributions.
+/// Numbers that a row takes in addition to its contributions.
 pub(super) const ROW: usize = size_of::<Row<'_>>().div_ceil(size_of::<f64>());
 
 /// Arrays that a journal is added to.

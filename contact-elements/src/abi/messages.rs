@@ -1,4 +1,4 @@
-//! Texts of the interface: static, zero-terminated, each says what to do.
+//! Texts of the interface: static and zero-terminated; each says what to do.
 
 use super::types::Arguments;
 use super::versioned::is_whole;

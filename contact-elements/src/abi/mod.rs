@@ -1,6 +1,6 @@
 //! The C interface: pointers of a host into slices, and results back.
 //!
-//! Everything that touches a caller's pointer is here; what is computed is in safe modules outside. An exported symbol is
+//! Everything that touches a caller's pointer is here; safe modules outside do the computing. An exported symbol is
 //! one line that calls a function of this module with the registry of its library; see `contact_elements.h` for the
 //! manual.
 

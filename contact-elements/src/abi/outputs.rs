@@ -13,7 +13,7 @@ use crate::evaluation::places::Map;
 use crate::evaluation::target::{Entry, Matrix, Share, Shared, Target};
 use crate::point::values::Status;
 
-/// The outputs of the contacts, and how far those of the next are.
+/// The outputs of the contacts, and the distance to those of the next contact.
 pub(super) struct Pointers<'s, 'a> {
     shape: &'s Shape<'s>,
     f: *mut f64,
@@ -34,7 +34,7 @@ pub(super) struct Sums<'a> {
     connectivity: &'a [i32],
     nodes: usize,
     dimension: usize,
-    /// Which shared entries are this thread's to add to.
+    /// Which shared entries this thread adds to.
     ownership: Ownership<'a>,
 }
 

@@ -7,7 +7,7 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 use super::journal::Journal;
 use crate::evaluation::places::Places;
 
-/// Who adds to shared entries: the part at work to those of its own nodes.
+/// Who adds to shared entries: a part at work adds to those of its own nodes.
 #[cfg(feature = "threads")]
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ownership<'a> {
@@ -48,14 +48,14 @@ impl<'a> Ownership<'a> {
         self.journal.is_null()
     }
 
-    /// True where the entries of a node of the batch are this part's to add to.
+    /// True where this part adds to the entries of a node of the batch.
     #[inline(always)]
     pub(super) fn is_mine(&self, node: usize) -> bool {
         // SAFETY: promised by the caller of `new`; the nodes of a batch were checked.
         self.is_free() || unsafe { (*self.marks.add(node)).load(Ordering::Relaxed) } == self.mark
     }
 
-    /// Writes down a contribution to an entry of the host's vector.
+    /// Records a contribution to an entry of the host's vector.
     pub(super) fn note_force(&self, node: usize, entry: usize, value: f64) {
         // SAFETY: promised by the caller of `new`; null where all is this part's.
         if let Some(journal) = unsafe { self.journal.as_mut() } {
@@ -63,7 +63,7 @@ impl<'a> Ownership<'a> {
         }
     }
 
-    /// Writes down contributions to a row of the host's sparse matrix: their places, values and scale.
+    /// Records contributions to a row of the host's sparse matrix: their places, values and scale.
     #[inline(never)]
     pub(super) fn note_row(&self, node: usize, places: Places<'a>, scaled: (&[f64], f64)) {
         // SAFETY: promised by the caller of `new`; null where all is this part's.
@@ -73,7 +73,7 @@ impl<'a> Ownership<'a> {
     }
 }
 
-/// Who adds to shared entries: one thread, to all of them.
+/// One thread, which adds to all shared entries.
 #[cfg(not(feature = "threads"))]
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ownership<'a> {

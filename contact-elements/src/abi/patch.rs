@@ -206,7 +206,7 @@ unsafe fn with<'a>(checked: Checked<'a>, arguments: &Arguments) -> Result<Checke
     }
 }
 
-/// Where the sums go; every output that is wanted must be there.
+/// Where the sums go; every requested output must be there.
 ///
 /// # Safety
 /// As [`patch_evaluate`].

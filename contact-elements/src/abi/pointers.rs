@@ -54,7 +54,7 @@ pub(super) unsafe fn optional<'a, T>(values: *const T, length: usize) -> Option<
     (!values.is_null()).then(|| unsafe { core::slice::from_raw_parts(values, length) })
 }
 
-/// `length` cells, none for null.
+/// `length` cells; empty for null.
 ///
 /// # Safety
 /// `values` is null or has so many entries.
@@ -64,7 +64,7 @@ pub(super) unsafe fn cells<'a>(values: *mut f64, length: usize) -> &'a [Cell<f64
     unsafe { optional(values.cast_const().cast(), length) }.unwrap_or_default()
 }
 
-/// `length` entries that are written, none for null.
+/// `length` entries that are written; empty for null.
 ///
 /// # Safety
 /// `values` is null or has so many entries, and nothing else refers to them as long as the slice lives.
@@ -107,7 +107,7 @@ pub(super) unsafe fn nodes<'a>(
     };
     let of_x = node_extent(n, d, arguments.x_node_stride, argument::X)?;
     let x = coordinates(arguments.x, of_x);
-    // without displacements only the stride itself is looked at
+    // without displacements only the stride itself is checked
     let has_u = !arguments.u.is_null();
     let rows = if has_u { n } else { 1 };
     let of_u = node_extent(rows, d, arguments.u_node_stride, argument::U)?;
@@ -142,7 +142,7 @@ pub(super) unsafe fn workspace<'a>(
     }
 }
 
-/// The first output that is wanted and missing, after x and the parameters.
+/// The first requested output that is missing, after x and the parameters.
 #[inline]
 pub(super) fn check_pointers(arguments: &Arguments) -> Result<(), Error> {
     let bits = arguments.request;
@@ -177,7 +177,7 @@ pub(super) fn if_wanted(bits: u32, bit: u32, pointer: *mut f64) -> *mut f64 {
     }
 }
 
-/// Writes what came out into the arguments; returns the code.
+/// Writes the results into the arguments; returns the code.
 #[inline]
 pub(super) fn report(arguments: &mut Arguments, result: Result<Summary, Error>) -> i32 {
     arguments.dt_ratio = 1.0;

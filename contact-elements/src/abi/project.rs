@@ -12,7 +12,7 @@ use crate::project::{closest_of, gather, start};
 use crate::registered::Registered;
 use crate::search::{Closest, Verdict};
 
-/// What `cte_element_project` tells of a contact point: `cte_projection`.
+/// What `cte_element_project` reports about a contact point: `cte_projection`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[allow(missing_docs)]

@@ -40,11 +40,11 @@ pub(crate) struct Inputs<'a, const D: usize, const P: usize, const N: usize> {
 /// Most unknowns of an element that is evaluated in lanes.
 pub(crate) const MOST_UNKNOWNS: usize = 40;
 
-/// What residual and tangent of the closed contacts are made of, one record of quadruples for each.
+/// Data of residual and tangent of the closed contacts, one record of quadruples for each.
 pub struct Records<const N: usize> {
     /// n, the p_k, the left_j.
     pub(crate) vectors: [[[f64; 4]; VECTORS]; ROOM],
-    /// Of every node s_A, s_A,1, s_A,2, Σ_j s_A,j right_j[k], Σ_i s_A,i s_ji.
+    /// For every node s_A, s_A,1, s_A,2, Σ_j s_A,j right_j[k], Σ_i s_A,i s_ji.
     pub(crate) nodes: [[[f64; 8]; N]; ROOM],
     pub(crate) traction: [f64; ROOM],
     pub(crate) energy: [f64; ROOM],
@@ -106,7 +106,7 @@ pub(crate) struct Block<const D: usize, const P: usize, const H: usize, const N:
     pub(crate) inside: u32,
 }
 
-/// What a report of a contact is made of.
+/// Data of the report of a contact.
 pub struct Points<'a> {
     pub(crate) zeta: &'a [Column],
     pub(crate) b: &'a [Column],
@@ -143,7 +143,7 @@ impl<const D: usize, const P: usize, const H: usize, const N: usize> Block<D, P,
         }
     }
 
-    /// What the outputs are made of.
+    /// Data of the outputs.
     #[inline(always)]
     pub(crate) fn points<E: Element<D, P, H>>(&self) -> Points<'_> {
         Points {
@@ -159,7 +159,7 @@ impl<const D: usize, const P: usize, const H: usize, const N: usize> Block<D, P,
         }
     }
 
-    /// What the gathering of the inputs fills.
+    /// Arrays that the gathering of the inputs fills.
     #[inline(always)]
     pub(crate) fn inputs(&mut self) -> Inputs<'_, D, P, N> {
         Inputs {

@@ -30,7 +30,7 @@ pub(crate) fn load<
         }
         (left, count) = (left & (left - 1), count + 1);
     }
-    // lanes beyond the last take its numbers
+    // lanes beyond the last repeat its numbers
     let last = slots.get(count.wrapping_sub(1)).copied().unwrap_or(0);
     for slot in slots.iter_mut().skip(count).take(8) {
         *slot = last;
@@ -199,7 +199,7 @@ fn turned<T: Wide, const P: usize>(ds: &[T; P], turn: impl Fn(usize) -> T) -> T 
     sum
 }
 
-/// Leaves some contacts to the kernel of one.
+/// Leaves some contacts to the kernel of a single call.
 #[cold]
 #[inline(never)]
 fn give_up<const D: usize, const P: usize, const H: usize, const N: usize>(

@@ -1,4 +1,4 @@
-//! What is compiled once for all elements of so many nodes, for the instructions of each lane type.
+//! What is compiled once for all elements with the same number of nodes, for the instructions of each lane type.
 
 use crate::batch::block::{Points, Records};
 use crate::batch::contacts::Contacts;

@@ -12,38 +12,38 @@ pub trait Contacts {
     type Receiver<'r>: Receiver
     where
         Self: 'r;
-    /// The numbers of the next contacts to be evaluated, ascending, and how many they are; none: all are done.
+    /// The numbers of the next contacts to be evaluated, ascending, and their count; 0 means that all are done.
     fn next(&mut self, numbers: &mut [usize; ROOM]) -> usize;
-    /// Wanted outputs of each.
+    /// Requested outputs of each contact.
     fn wanted(&self) -> Wanted;
-    /// True where somebody asks for history or output of a point.
+    /// True where history or output of a point is requested.
     fn reports(&self) -> bool;
     /// True where all contacts have the same parameters.
     fn have_same_parameters(&self) -> bool;
-    /// Parameters of a contact; none where they are refused.
+    /// Parameters of a contact; `None` where they are refused.
     fn parameters(&self, contact: usize) -> Option<&[f64]>;
     /// Accepted history of a contact.
     fn history(&self, contact: usize) -> Option<History<'_>>;
     /// Nodes of a contact.
     fn nodes(&self, contact: usize) -> Nodes<'_>;
-    /// All coordinates, where the components of a node stand side by side.
+    /// All coordinates, if the components of a node are contiguous.
     fn places(&self) -> Option<AllPlaces<'_>>;
     /// Where the outputs of a contact go.
     fn receiver(&mut self, contact: usize) -> Self::Receiver<'_>;
-    /// Evaluates a contact by the kernel of one.
+    /// Evaluates a contact by the kernel of a single call.
     fn evaluate_alone(&mut self, contact: usize);
     /// Notes that a contact is done.
     fn settle(&mut self, contact: usize, status: Status);
 }
 
-/// Coordinates in which the components of a node stand side by side.
+/// Coordinates in which the components of a node are contiguous.
 #[derive(Clone, Copy, Debug)]
 pub struct Places<'a> {
     /// The array.
     pub values: &'a [f64],
-    /// From contact to contact; with a connectivity not used.
+    /// Distance from contact to contact; unused with a connectivity.
     pub contact_stride: usize,
-    /// From node to node.
+    /// Distance from node to node.
     pub node_stride: usize,
 }
 
@@ -52,8 +52,8 @@ pub struct Places<'a> {
 pub struct AllPlaces<'a> {
     /// Reference coordinates.
     pub x: Places<'a>,
-    /// Displacements; none: zero.
+    /// Displacements; `None` for zero.
     pub u: Option<Places<'a>>,
-    /// Numbers of the nodes in the arrays, contact after contact; none: those of a contact are one after another.
+    /// Numbers of the nodes in the arrays, contact after contact; `None` if the nodes of a contact follow one another.
     pub connectivity: Option<&'a [i32]>,
 }

@@ -9,7 +9,7 @@ use crate::lanes::Width;
 #[cfg(target_arch = "x86_64")]
 use crate::lanes::{Eight, Four};
 
-/// Evaluates all contacts in lanes; `width`: at most the widest of the processor.
+/// Evaluates all contacts in lanes. `width` is at most the widest of the processor.
 pub fn evaluate_batch<
     E: Element<D, P, H>,
     C: Contacts,
@@ -38,7 +38,7 @@ pub fn evaluate_batch<
     }
 }
 
-/// Evaluates all contacts by the kernel of one.
+/// Evaluates all contacts by the kernel of a single call.
 #[inline]
 pub fn one_by_one<C: Contacts>(contacts: &mut C) {
     let mut numbers = [0; ROOM];

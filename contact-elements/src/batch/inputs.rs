@@ -6,8 +6,8 @@ use crate::batch::compiled::BatchLanes;
 use crate::batch::contacts::Contacts;
 use crate::point::history::{History, HistoryLayout, Reach};
 
-/// Takes the inputs of the first `length` contacts; one bit for each whose inputs can be used. The list goes on with
-/// the last number.
+/// Takes the inputs of the first `length` contacts; returns one bit for each whose inputs can be used. The list is filled
+/// up with the last number.
 #[inline(always)]
 pub(crate) fn gather<C: Contacts, T: BatchLanes, const D: usize, const P: usize, const N: usize>(
     contacts: &C,
@@ -84,8 +84,8 @@ fn own_parameters<C: Contacts, const D: usize, const P: usize, const N: usize>(
     true
 }
 
-/// Status of the history and start of the search; false where they are no numbers. How far a start may be from the
-/// domain is asked in lanes.
+/// Status of the history and start of the search; false where they are NaN. The distance of a start from the
+/// domain is checked in lanes.
 #[inline(always)]
 fn start<const D: usize, const P: usize, const N: usize>(
     history: Option<History<'_>>,

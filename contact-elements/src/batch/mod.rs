@@ -1,4 +1,4 @@
-//! Many contacts of one element in lanes: gather, projection and gap of all, law and coefficients of the closed
+//! Many contacts of one element in lanes: first gather, projection and gap of all, then law and coefficients of the closed
 //! ones, then the outputs contact after contact.
 //!
 //! | file | question |
@@ -9,13 +9,13 @@
 //! | `screen` | which contacts are open wherever their projection lies |
 //! | `inputs`, `positions` | what do the host's arrays hold |
 //! | `newton` | where is the projection |
-//! | `point` | open, outside, closed or to be evaluated alone |
-//! | `closed` | law and coefficients of the closed ones |
+//! | `point` | is a contact open, outside, closed or to be evaluated alone |
+//! | `closed` | what are law and coefficients of the closed ones |
 //! | `outputs` | what reaches the receiver, in the order of the contacts |
 //! | `compiled` | what is compiled once for all elements of so many nodes |
 //!
-//! Each lane has the bits of the scalar evaluation: the same operations in the same order, none fused. What leaves
-//! the common path is evaluated alone, by the kernel of one contact.
+//! Each lane has the bits of the scalar evaluation: the same operations in the same order, and none is fused. The kernel of
+//! a single call evaluates the contacts that leave the common path.
 
 pub(crate) mod block;
 mod closed;

@@ -1,4 +1,4 @@
-//! The projection of several contacts in lock step, by the rules of [`project`](crate::point::projection::newton::project).
+//! The projection of several contacts, all lanes together, by the rules of [`project`](crate::point::projection::newton::project).
 //!
 //! A lane that leaves the common path is given up here and evaluated alone: no stationary point, nearly singular,
 //! steps that do not settle.
@@ -11,7 +11,7 @@ use crate::point::projection::step::{
 };
 use crate::point::values::{Rows, Vectors, dot};
 
-/// Most steps in lock step.
+/// Most steps of all lanes together.
 const MOST_STEPS: u32 = 10;
 
 /// Where the search ended.
@@ -131,7 +131,7 @@ fn newton<E: Element<D, P, H>, T: Wide, const D: usize, const P: usize, const H:
     }
 }
 
-/// Kinematics at ζ from those at the centre, which stay as they are there.
+/// Kinematics at ζ from those at the centre, which stay unchanged.
 #[inline(always)]
 fn from_centre<E: Element<D, P, H>, T: Wide, const D: usize, const P: usize, const H: usize>(
     at_centre: &Vectors<D, P, H, T>,
@@ -189,7 +189,7 @@ struct Step<T: Wide, const P: usize> {
     is_delicate: T::Mask,
 }
 
-/// −F⁻¹ f, and where F can be inverted. [eq:newton-step] [eq:det-F]
+/// −F⁻¹ f, and in which lanes F can be inverted. [eq:newton-step] [eq:det-F]
 #[inline(always)]
 fn step<E: Element<D, P, H>, T: Wide, const D: usize, const P: usize, const H: usize>(
     vectors: &Vectors<D, P, H, T>,
@@ -240,7 +240,7 @@ fn step<E: Element<D, P, H>, T: Wide, const D: usize, const P: usize, const H: u
     }
 }
 
-/// Where the tangents are neither zero nor parallel, a_11 and a_22, det a.
+/// a_11 and a_22, det a, and in which lanes the tangents are neither zero nor parallel.
 #[inline(always)]
 fn tangents<T: Wide, const D: usize, const P: usize>(b: &[[T; D]; P]) -> (T::Mask, [T; 2], T) {
     let smallest = T::constant(SMALLEST * SMALLEST);

@@ -1,4 +1,4 @@
-//! Outputs of a block, contact after contact: sums into shared arrays come out in the order of a single call.
+//! Outputs of a block, contact after contact: sums into shared arrays are taken in the order of single calls.
 //!
 //! Rows of K by the rules of [`contract`](crate::element::contraction::contract), lanes across the unknowns of one contact.
 
@@ -76,7 +76,7 @@ struct Scratch<const D: usize, const P: usize, const N: usize> {
     u: [[f64; ROW]; D],
     g: [[f64; ROW]; P],
     forces: [f64; ROW],
-    /// K, where it does not go to its place at once.
+    /// K, if it does not go straight to the host.
     matrix: [[[[f64; D]; N]; D]; N],
 }
 

@@ -27,7 +27,7 @@ struct Start<T: Wide, const D: usize, const P: usize, const N: usize> {
     good: u32,
 }
 
-/// Inputs of the lanes from `group` on; a lane that cannot be evaluated takes those of one that can.
+/// Inputs of the lanes from `group` on; a lane that cannot be evaluated repeats those of one that can.
 #[inline(always)]
 fn start<
     E: Element<D, P, H>,

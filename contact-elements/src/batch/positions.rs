@@ -119,7 +119,7 @@ fn load<T: Wide, const D: usize, const N: usize>(
     }
 }
 
-/// D numbers of the contact in each lane, NaN where there are none.
+/// D numbers of the contact in each lane; NaN for numbers that do not exist.
 #[inline(always)]
 fn vector<T: Wide, const D: usize>(values: &[f64], starts: &[usize; 8]) -> [T; D] {
     let mut last = 0;
@@ -183,7 +183,7 @@ fn one_by_one<C: Contacts, const D: usize, const N: usize>(
     good
 }
 
-/// Positions of one contact relative to its first node; none where they cannot be used.
+/// Positions of one contact relative to its first node; `None` if they cannot be used.
 #[inline(always)]
 fn position<const D: usize, const N: usize>(
     nodes: &Nodes<'_>,

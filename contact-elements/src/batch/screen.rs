@@ -1,6 +1,6 @@
-//! Which contacts are open wherever their projection lies: those need none.
+//! Which contacts are open wherever their projection lies: they need no projection.
 //!
-//! Of a facet that is linear in each parameter r·(b_1×b_2) is linear in each too, so it is least at a corner of the
+//! If a facet is linear in each parameter, so is r·(b_1×b_2), which is therefore least at a corner of the
 //! domain; |b_1×b_2| is at most the product of the largest tangents. [eq:screen]
 
 use crate::batch::block::{MOST_PARAMETERS, MOST_UNKNOWNS};
@@ -22,7 +22,7 @@ pub const SCREENED: usize = 32;
 /// Rounding of the bound and slack of the domain, relative to the lengths that the bound is made of.
 const ROUNDING: f64 = 1e-11;
 
-/// True for elements of which [`screen`] tells something: a point against a segment in 2D or a facet that is linear in
+/// True for elements that [`screen`] can judge: a point against a segment in 2D or a facet that is linear in
 /// each parameter, a gap with a sign, a law that acts below some gap.
 pub const fn is_screened<
     E: Element<D, P, H>,
@@ -45,7 +45,7 @@ pub const fn is_screened<
 }
 
 /// One bit for each of at most [`SCREENED`] contacts from `first` on that is certainly open, and a lower bound of its
-/// gap. Tells nothing without AVX2, and nothing of contacts whose inputs cannot be used.
+/// gap. No bit is set without AVX2, nor for contacts whose inputs cannot be used.
 pub fn screen<
     E: Element<D, P, H>,
     C: Contacts,
@@ -115,7 +115,7 @@ fn all<
         }
         open |= (T::bits(certain) & good & are_allowed) << group;
     }
-    // a shift by as many bits as there are would be none
+    // a shift by the full number of bits would leave the value unchanged
     open & (u64::MAX >> (64 - count as u32 % 64)) as u32
 }
 

@@ -6,8 +6,8 @@
 //! form(A,k)    = s_A v_k + N^slave_A,1 t_k + N^master_A,1 t'_k + N^slave_A,11 b_k + N^master_A,11 b'_k
 //! ```
 //!
-//! A point whose weight is zero is open, whatever became of its projection. Calls, not inlined, and none for an
-//! element that acts at any angle.
+//! A point whose weight is zero is open, whatever its projection found. The functions are calls, not inlined, and an
+//! element that acts at any angle makes no such call.
 
 use crate::element::receiver::{Call, Receiver};
 use crate::element::stage::Stage;
@@ -20,7 +20,7 @@ use crate::point::projection::step::SMALLEST;
 use crate::point::state::Point;
 use crate::point::values::{Gap, Status, Vectors, dot, is_zero};
 
-/// w, w', w'' at a projected point; no weight where a curve has no tangent. [eq:angle-weight]
+/// w, w', w'' at a projected point; no weight if a curve has no tangent. [eq:angle-weight]
 #[inline(always)]
 pub(crate) fn weight<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     number: usize,
@@ -40,7 +40,7 @@ pub(crate) fn weight<E: Element<D, P, H>, const D: usize, const P: usize, const 
     Ok(E::angle_weight([position.clamp(0.0, 1.0), rate]))
 }
 
-/// An open point: the weight is zero there.
+/// An open point, whose weight is zero.
 #[inline(always)]
 pub(crate) fn open<const D: usize, const P: usize, const H: usize>(
     zeta: [f64; P],
@@ -61,8 +61,8 @@ pub(crate) fn open<const D: usize, const P: usize, const H: usize>(
     }
 }
 
-/// Of a point that has no projection: open where the weight is zero at the nearest points of the curves, as those of
-/// nearly parallel ones do not depend on where exactly they are.
+/// Fallback without a projection: takes the weight at the nearest points found; if it is zero the point is open. For
+/// nearly parallel curves the angle hardly depends on which points these are.
 #[cold]
 #[inline(never)]
 pub(crate) fn without_projection<

@@ -97,7 +97,7 @@ pub(crate) fn classify<E: Element<D, P, H>, const D: usize, const P: usize, cons
             point.law = law::<E, D, P, H>(gap, call.parameters)?;
         }
         if E::Tangential::ACTIVE {
-            // copies: what a call is handed would be memory on every path
+            // copies: arguments of a call would be kept in memory on every path
             let (vectors, gap) = (point.vectors, point.gap);
             let nodes = if E::SLAVE_AXIS { stage.x } else { &[] };
             let normal = (&vectors, &gap, point.law.traction);
@@ -144,7 +144,7 @@ fn multiplier<E: Element<D, P, H>, const D: usize, const P: usize, const H: usiz
     history.map_or(0.0, |history| history.at(E::HISTORY_LAYOUT.multiplier_at()))
 }
 
-/// N, N' and W of a closed point, where the law is defined and its values are such that forces can be made of them.
+/// N, N' and W of a closed point, if the law is defined and its values are small enough to form forces.
 #[inline(always)]
 fn law<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     gap: f64,
@@ -156,13 +156,13 @@ fn law<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     let law = E::Law::evaluate(gap, parameters);
     let mut usable = true;
     for value in [law.traction, law.slope, law.energy] {
-        // false of what is no number
+        // false for NaN
         usable &= abs(value) <= LARGEST_VALUE;
     }
     if usable { Ok(law) } else { Err(Status::Law) }
 }
 
-/// The tangents and second derivatives are numbers.
+/// The tangents and second derivatives are finite.
 #[inline(always)]
 fn has_derivatives<const D: usize, const P: usize, const H: usize>(
     vectors: &Vectors<D, P, H>,

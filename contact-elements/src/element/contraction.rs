@@ -1,4 +1,4 @@
-//! Contraction with shape rows: level 2, usable with rows that any discretisation hands in.
+//! Contraction with shape rows: level 2, usable with rows of any discretisation.
 //!
 //! ```text
 //! R_(A,k)       = N s_A n_k                                                            [eq:residual]
@@ -6,7 +6,7 @@
 //!                 + s_A,i s_B,j s_ij n_k n_l + s_A n_k N J_(B,l)                      [eq:contraction]
 //! ```
 //!
-//! Nodes are loops; per row of K two multiply-adds remain for every entry.
+//! Nodes are loops; for every entry of a row of K two multiply-adds remain.
 
 use crate::element::receiver::Receiver;
 use crate::element::rows::Contraction;
@@ -14,7 +14,7 @@ use crate::element::stage::Temporaries;
 use crate::lanes::Lanes;
 use crate::point::values::Coefficients;
 
-/// Fewest unknowns for which rows are written several at a time, where they may be.
+/// Fewest unknowns for which rows are written several at a time, if the receiver allows it.
 const FEWEST: usize = 8;
 
 /// Writes K row by row to the receiver.
@@ -129,7 +129,7 @@ fn factor<const D: usize, const P: usize>(
         return;
     };
     for quad in 0..width.div_ceil(4) {
-        // of every four nodes
+        // the nodes are taken by fours
         let (first, part) = (4 * (quad / D), quad % D);
         let s_b = padded(s, first).of_nodes::<D>(part);
         let mut value = s_b.times(v.of_components::<D>(part));

@@ -91,7 +91,7 @@ pub fn evaluate<
     Ok(summary)
 }
 
-/// An element with one contact point: nothing has to be kept between the passes.
+/// An element with one contact point: nothing has to be stored between the passes.
 #[inline(always)]
 fn evaluate_one<
     E: Element<D, P, H>,
@@ -231,7 +231,7 @@ fn normal_residual<R: Receiver, const D: usize, const P: usize, const H: usize>(
     }
 }
 
-/// The point's own weight: of the caller, or of the slave's area.
+/// The point's own weight: from the caller, or from the slave's area.
 #[inline(always)]
 fn weight<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,

@@ -23,7 +23,7 @@ pub(crate) fn side<E: Element<D, P, H>, const D: usize, const P: usize, const H:
     let n = E::gap(vectors, parameters, 1.0).n;
     let apart = if dot(&vectors.r, &n) < 0.0 { -1.0 } else { 1.0 };
     if feature != 0 {
-        // side by side no longer: where the edges meet next, they meet from this side
+        // the edges no longer lie side by side: where they meet next, they meet from this side
         return Ok(apart);
     }
     let remembered: [f64; D] = core::array::from_fn(|k| {
@@ -50,7 +50,7 @@ pub(crate) fn side<E: Element<D, P, H>, const D: usize, const P: usize, const H:
     })
 }
 
-/// Whether the caller says on which side edges are that remember none.
+/// True if `orientation` gives the side of edges whose history has none.
 #[inline(always)]
 pub(crate) fn is_side_given<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     parameters: &[f64],

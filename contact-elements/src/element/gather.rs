@@ -10,7 +10,7 @@ use crate::point::placement::Placement;
 pub struct Coordinates<'a> {
     /// The array.
     pub values: &'a [f64],
-    /// Position of node 0 (unused with a connectivity).
+    /// Position of node 0; unused with a connectivity.
     pub offset: usize,
     /// Distance from node to node.
     pub node_stride: usize,
@@ -35,16 +35,16 @@ impl<'a> Coordinates<'a> {
 pub struct Nodes<'a> {
     /// Reference coordinates.
     pub x: Coordinates<'a>,
-    /// Displacements; none: zero.
+    /// Displacements; `None` for zero.
     pub u: Option<Coordinates<'a>>,
-    /// Numbers of the nodes in the arrays; none: 0, 1, 2 …
+    /// Numbers of the nodes in the arrays; `None` for 0, 1, 2 …
     pub connectivity: Option<&'a [i32]>,
     /// Number of nodes.
     pub count: usize,
 }
 
 impl Coordinates<'_> {
-    /// One component of a node; NaN where there is none.
+    /// One component of a node; NaN if it does not exist.
     pub(crate) fn entry(&self, node: Option<usize>, component: usize) -> f64 {
         let place = node
             .map(|node| self.offset + node * self.node_stride + component * self.component_stride);
@@ -94,7 +94,7 @@ impl Nodes<'_> {
         can.then_some((x, u))
     }
 
-    /// Checks all coordinates of the first `count` nodes before anything is computed with them.
+    /// Checks all coordinates of the first `count` nodes before they are used.
     #[inline(always)]
     pub(crate) fn check<const D: usize>(&self, count: usize) -> Result<(), InputError> {
         let mut can = true;
@@ -152,7 +152,7 @@ impl Nodes<'_> {
 }
 
 /// Gathers the nodes relative to a local origin: the first slave node, or the frame of a placed geometry.
-/// Differences are taken of reference coordinates and of displacements apart, so that nothing is lost far
+/// Reference coordinates and displacements are subtracted separately, so that nothing is lost far
 /// from the origin. [eq:local-origin] Returns the origin in the local frame.
 #[inline(always)]
 pub(crate) fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
@@ -177,7 +177,7 @@ pub(crate) fn gather<E: Element<D, P, H>, const D: usize, const P: usize, const 
     gather_spread(nodes, &is_vector, x, reference)
 }
 
-/// [`gather`] of nodes that stand anywhere: a call, it would be repeated in every kernel.
+/// [`gather`] for nodes anywhere in memory: a call, because it would otherwise be repeated in every kernel.
 #[inline(never)]
 fn gather_spread<const D: usize>(
     nodes: &Nodes<'_>,
@@ -247,7 +247,7 @@ fn gather_each<const D: usize>(
     Ok(origin)
 }
 
-/// [`gather`] of nodes that stand one after another; no displacements: zero.
+/// [`gather`] for nodes that stand one after another; without displacements they are zero.
 #[inline(always)]
 fn gather_dense<const D: usize>(
     (positions, displacements): (&[[f64; D]], Option<&[[f64; D]]>),

@@ -86,7 +86,7 @@ pub const fn workspace(n: usize, d: usize, p: usize, friction: bool) -> usize {
     n * d + n * (1 + p) + width * (d + p + 2) + tangential
 }
 
-/// Length of a row over all unknowns; with friction in whole quadruples.
+/// Length of a row over all unknowns; with friction a multiple of four.
 const fn row_width(unknowns: usize, friction: bool) -> usize {
     if friction {
         unknowns.next_multiple_of(4)
@@ -95,7 +95,7 @@ const fn row_width(unknowns: usize, friction: bool) -> usize {
     }
 }
 
-/// Kernel of an element whose slave row is handed in: scratch comes from `memory`.
+/// Kernel of an element whose slave row comes with the call; its scratch comes from `memory`.
 #[inline(always)]
 pub fn interpolated<
     E: Element<D, P, H>,

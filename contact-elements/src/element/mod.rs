@@ -2,7 +2,7 @@
 //!
 //! | file | question |
 //! |---|---|
-//! | `traits` | what does the emitted code tell |
+//! | `traits` | what does the emitted code provide |
 //! | `receiver` | what goes in besides the nodes, and what comes out |
 //! | `kernel`, `gather` | where do nodes and scratch come from |
 //! | `driver` | in which order are the points evaluated |

@@ -4,7 +4,7 @@ use crate::point::history::{History, Refused};
 use crate::point::motion::Rolling;
 use crate::point::values::Status;
 
-/// Which outputs are wanted, and how.
+/// Which outputs are requested, and how.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Wanted {
     /// Residual.
@@ -22,19 +22,19 @@ pub struct Wanted {
 pub struct Call<'a> {
     /// Parameters, checked.
     pub parameters: &'a [f64],
-    /// Accepted history: per point status and projected parameters, with friction the anchor and the slip
-    /// path too, with rolling what [`Rolling`] remembers; none: start at the centre.
+    /// Accepted history: per point status and projected parameters, with friction also anchor and slip
+    /// path, with rolling what [`Rolling`] remembers. `None`: start at the centre.
     pub history: Option<History<'a>>,
     /// Interpolated slaves: shape row and weight.
     pub slave_row: &'a [f64],
-    /// Wanted outputs.
+    /// Requested outputs.
     pub wanted: Wanted,
 }
 
 /// Doubles of output per contact point: a [`Report`] entry by entry.
 pub const OUTPUT_SIZE: usize = 23;
 
-/// What is known of one contact point after an evaluation.
+/// What is known about one contact point after an evaluation.
 #[derive(Clone, Copy, Debug)]
 pub struct Report {
     /// Outcome.
@@ -53,17 +53,17 @@ pub struct Report {
     pub normal: [f64; 3],
     /// Newton steps.
     pub iterations: u32,
-    /// Tangential force along d_1 and d_2, per weight; 0 where there is none.
+    /// Tangential force along d_1 and d_2, per weight; 0 without friction.
     pub tangential: [f64; 2],
-    /// b_1 and b_2 in the global frame; zero where there are fewer.
+    /// b_1 and b_2 in the global frame; zero beyond the number of parameters.
     pub tangents: [[f64; 3]; 2],
-    /// Anchor for the next step, where there is friction.
+    /// Anchor for the next step, with friction.
     pub anchor: [f64; 2],
     /// Slip path for the next step [length].
     pub path: f64,
-    /// Multiplier for the next step, where the history carries one.
+    /// Multiplier for the next step, if the history carries one.
     pub multiplier: f64,
-    /// Moments about two curves, where there are any.
+    /// Moments about two curves, if the element has them.
     pub rolling: Rolling,
 }
 
@@ -83,7 +83,7 @@ pub trait Receiver {
             }
         }
     }
-    /// The rows of the tangent one after another, and how far they are apart, where they may be written at once.
+    /// The memory for the rows of the tangent, one after another, and their distance, if they may be written at once.
     fn rows(&mut self) -> Option<(&mut [f64], usize)> {
         None
     }
@@ -115,9 +115,9 @@ pub struct Summary {
 /// A point that could not be evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// Why.
+    /// The status of the point.
     pub status: Status,
-    /// Which point.
+    /// The number of the point.
     pub point: usize,
 }
 
@@ -126,16 +126,16 @@ pub struct Failure {
 pub enum InputError {
     /// A reference coordinate of this node is missing, NaN, infinite or beyond 1e30.
     Position(usize),
-    /// A displacement of this node is.
+    /// A displacement of this node is missing, NaN, infinite or beyond 1e30.
     Displacement(usize),
-    /// Entry of the history.
+    /// This entry of the history is NaN, infinite or too large.
     History(usize),
-    /// Entry of the history that no evaluation writes: no status, a projection or anchor far outside, a negative path,
-    /// no regime of rolling, a normal that is no unit vector, a multiplier that pulls.
+    /// This entry of the history could not come from an evaluation: invalid status or regime, projection or anchor far
+    /// outside, negative path, non-unit normal, positive multiplier.
     Impossible(usize),
     /// Entry of the slave row.
     SlaveRow(usize),
-    /// Edges are to be on the side that a history keeps, and there is none.
+    /// The side of edges comes from a history, and there is no history.
     NoHistory,
     /// The workspace is too small.
     Workspace,
@@ -161,7 +161,7 @@ impl From<Failure> for InputError {
 }
 
 impl InputError {
-    /// Status of the contact point, where one failed.
+    /// Status of the contact point that failed, if one did.
     pub fn status(&self) -> Option<Status> {
         match self {
             InputError::Point(failure) => Some(failure.status),

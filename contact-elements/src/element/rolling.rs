@@ -1,4 +1,4 @@
-//! Moments about two curves: from the history to moments, residual, tangent and new history.
+//! Moments about two curves: from the history to moments, residual, tangent and trial history.
 //!
 //! ```text
 //! M_c          = the law at φ_c − φ0_c, wrapped into (−π, π]                [eq:rolling-moment]
@@ -6,7 +6,7 @@
 //! K_(A,k)(B,l) = … + A(A,k) B(B,l) + B(A,k) A(B,l) for each pair             [eq:rolling-tangent]
 //! ```
 //!
-//! Calls, not inlined, and none for an element without rolling.
+//! The functions are calls, not inlined; an element without rolling makes no such call.
 
 use crate::arithmetic::abs;
 use crate::element::receiver::{Call, Receiver};
@@ -35,15 +35,15 @@ fn wrapped(angle: f64) -> f64 {
     }
 }
 
-/// What the accepted history says.
+/// Contents of the accepted history.
 struct Accepted {
     anchor: [f64; 2],
     path: [f64; 2],
-    /// Where the history sticks or slips: whether each curve does.
+    /// With a frozen state: whether each curve rolls.
     forced: [Option<Status>; 2],
 }
 
-/// None where contact begins.
+/// `None` where contact begins.
 #[inline(always)]
 fn accepted(layout: &HistoryLayout, history: Option<History<'_>>) -> Option<Accepted> {
     let history = history?;
@@ -66,7 +66,7 @@ fn accepted(layout: &HistoryLayout, history: Option<History<'_>>) -> Option<Acce
 }
 
 impl RollingAngles {
-    /// Both reference directions stand across their curves, and the angles are numbers.
+    /// True if both reference directions stand across their curves and the angles are not NaN.
     fn are_known<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         &self,
         layout: &RollingLayout,
@@ -79,7 +79,7 @@ impl RollingAngles {
     }
 }
 
-/// First pass over a closed point: angles, moments, new anchors, and their share of what multiplies δζ̂.
+/// First pass over a closed point: angles, moments, new anchors, and their share of the factor of δζ̂.
 /// [eq:rolling-moment] [eq:rolling-history]
 #[inline(never)]
 pub(crate) fn roll<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
@@ -137,7 +137,7 @@ pub(crate) fn roll<E: Element<D, P, H>, const D: usize, const P: usize, const H:
     share::<E, D, P, H>(call, x, point, sliding)
 }
 
-/// Adds the share of the moments to what multiplies δζ̂. [eq:rolling-share]
+/// Adds the share of the moments to the factor of δζ̂. [eq:rolling-share]
 fn share<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
     x: &[[f64; D]],
@@ -181,7 +181,7 @@ fn force<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     )
 }
 
-/// Adds the part of the residual that is no part of the tangential one. [eq:rolling-residual]
+/// Adds the part of the residual that the tangential residual does not contain. [eq:rolling-residual]
 #[inline(never)]
 pub(crate) fn residual<
     E: Element<D, P, H>,
@@ -213,7 +213,7 @@ pub(crate) fn residual<
 
 /// Adds the tangent of the moments. [eq:rolling-tangent]
 ///
-/// The rows of third derivatives stand where those of the normal tangent stood, which is done with.
+/// The rows of third derivatives overwrite those of the normal tangent, which are no longer needed.
 #[inline(never)]
 pub(crate) fn tangent<
     E: Element<D, P, H>,

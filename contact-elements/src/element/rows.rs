@@ -10,7 +10,7 @@ pub(crate) struct Factors<'a, const D: usize, const P: usize> {
     pub(crate) g: [&'a [f64]; P],
 }
 
-/// What one node adds to u_k and g_j.
+/// Contributions of one node to u_k and g_j.
 pub(crate) struct NodeShare<const D: usize, const P: usize> {
     /// s_B
     pub(crate) s: f64,

@@ -1,6 +1,6 @@
-//! Tangential contact of one point within an evaluation: from the history to force, tangent and new history.
+//! Tangential contact of one point within an evaluation: from the history to force, tangent and trial history.
 //!
-//! Calls, not inlined: the kernel of an element stays as small as without friction, and compiles as fast.
+//! The functions are calls, not inlined: the kernel of an element stays as small as without friction and compiles as fast.
 
 use crate::arithmetic::abs;
 use crate::element::receiver::{Call, Receiver};
@@ -16,7 +16,7 @@ use crate::point::values::{Coefficients, Frame, Gap, Rows, Status, Vectors};
 /// Least share of an axis in the tangent plane.
 const LEAST_SHARE: f64 = 1e-20;
 
-/// Anchor and slip path of the accepted history; none where contact begins. [eq:anchor]
+/// Anchor and slip path of the accepted history; `None` where contact begins. [eq:anchor]
 #[inline(always)]
 fn accepted<const P: usize>(
     layout: &HistoryLayout,

@@ -1,4 +1,4 @@
-//! Nodes and scratch of an evaluation, and what every step of it asks for.
+//! Nodes and scratch of an evaluation, which every step of it uses.
 
 use crate::element::receiver::Call;
 use crate::element::traits::Element;
@@ -88,7 +88,7 @@ pub(crate) fn scale_variation<const D: usize>(
     }
 }
 
-/// The slave's fixed row: of the declaration, or handed in.
+/// The slave's fixed row: from the declaration, or from the call.
 #[inline(always)]
 pub(crate) fn load_slave<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,

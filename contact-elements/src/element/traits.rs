@@ -20,7 +20,7 @@ pub enum Search {
     Newton,
     /// The pair is affine: one linear solve.
     Affine,
-    /// A closed form of the declaration, or no projection at all.
+    /// A closed form in the declaration, or no projection at all.
     Closed,
 }
 
@@ -79,20 +79,20 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     const CURRENT: bool;
     /// How the normal law holds the bodies apart.
     const ENFORCEMENT: Enforcement;
-    /// Slave nodes; 0: given in the call.
+    /// Slave nodes; 0 if the call gives them.
     const SLAVE_NODES: usize;
-    /// Master nodes; 0: rigid.
+    /// Master nodes; 0 if rigid.
     const MASTER_NODES: usize;
     /// True where the slave's tangent is an axis of the tangential law.
     const SLAVE_AXIS: bool;
-    /// Periods of the parameters that a closed projection gives up to whole turns; 0: none.
+    /// Periods of the parameters that a closed projection gives up to whole turns; 0 if not periodic.
     const PERIODS: [f64; 2];
     /// Domains of the projected parameters: slave curve first where both are projected.
     const DOMAINS: [Domain; 2];
     /// What parallel tangents mean: degenerate for a facet, not unique for two curves.
     const PARALLEL: Status;
 
-    /// Where the parameters of rolling begin; none: two curves roll freely.
+    /// Where the parameters of rolling begin; `None` if two curves roll freely.
     const ROLLING: Option<RollingLayout> = None;
 
     /// True where the contact is weighted by the angle of two curves.
@@ -119,7 +119,7 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     /// True where the multipliers are unknowns.
     const MULTIPLIER: bool = matches!(Self::ENFORCEMENT, Enforcement::Multiplier);
 
-    /// Start of the projection where none is given.
+    /// Start of the projection if the call gives none.
     const START: [f64; 2] = if Self::TWO_CURVES {
         [Self::DOMAINS[0].centre()[0], Self::DOMAINS[1].centre()[0]]
     } else {
@@ -177,7 +177,7 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
         }
     }
 
-    /// Writes the fixed row of the slave's point; nothing where it is projected or given in the call.
+    /// Writes the fixed row of the slave's point; does nothing if the point is projected or comes with the call.
     fn slave<T: Real>(point: usize, parameters: &[T], s: &mut [T]);
 
     /// Kinematics at ζ; fills the rows of the nodes that depend on it.
@@ -191,8 +191,8 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
     /// Closed projection of the slave's point.
     fn closed_projection(x: &[f64; D], parameters: &[f64]) -> [f64; P];
 
-    /// False where something vanishes that `gap`, `tangent` or `measure` divides by: a master's axis, a
-    /// slave of no area.
+    /// False where a divisor of `gap`, `tangent` or `measure` vanishes: on a master's axis, or for a
+    /// slave without area.
     #[inline(always)]
     #[allow(unused_variables)]
     fn is_regular(
@@ -377,7 +377,7 @@ pub trait Element<const D: usize, const P: usize, const H: usize> {
         AngleCoefficients::default()
     }
 
-    /// Fills the rows s_A,iii where the angles move with them; zero on entry.
+    /// Fills the rows s_A,iii if the angles move with them; they are zero on entry.
     #[inline(always)]
     #[allow(unused_variables)]
     fn third_rows(zeta: &[f64; P], rows: &mut [&mut [f64]; P]) {}

@@ -1,4 +1,4 @@
-//! What concerns the inputs of every call: request, parameters, nodes, scratch.
+//! Checks of the inputs that every call has: request, parameters, nodes, scratch.
 
 use super::sizes::{extent, slave_count, spacing};
 use crate::arithmetic::is_usable;
@@ -10,7 +10,7 @@ use crate::error::Error;
 /// Least width of a window of angles [rad].
 const LEAST_WINDOW: f64 = 1e-6;
 
-/// What the bits of a request ask of a kernel.
+/// The bits of a request as flags of a kernel.
 #[inline(always)]
 pub(crate) fn wanted(bits: u32) -> Wanted {
     Wanted {
@@ -21,14 +21,14 @@ pub(crate) fn wanted(bits: u32) -> Wanted {
     }
 }
 
-/// Bits that are offered, with the history that they need.
+/// Checks that all bits are offered and have the history that they need.
 #[inline]
 pub(crate) fn check_request(offered: u32, bits: u32, has_history: bool) -> Result<(), Error> {
     check_offered(offered, bits)?;
     check_present_history(bits, has_history)
 }
 
-/// A history where a bit says that something is to be taken from it.
+/// Checks that there is a history if a bit says that something is to be taken from it.
 #[inline]
 pub(crate) fn check_present_history(bits: u32, has_history: bool) -> Result<(), Error> {
     if bits & (request::FREEZE_STATE | request::PROJECTION_GIVEN) != 0 && !has_history {
@@ -37,7 +37,7 @@ pub(crate) fn check_present_history(bits: u32, has_history: bool) -> Result<(), 
     Ok(())
 }
 
-/// No bits but those that are offered.
+/// Checks that only offered bits are set.
 #[inline]
 pub(crate) fn check_offered(offered: u32, bits: u32) -> Result<(), Error> {
     let refused = bits & !offered;
@@ -63,7 +63,7 @@ pub(crate) fn node_counts(
     }
 }
 
-/// Distance from node to node, 0: one stands behind the other; and entries of the array.
+/// Distance from node to node (0: nodes are contiguous), and entries of the array.
 #[inline]
 pub(crate) fn node_extent(
     nodes: usize,
@@ -77,7 +77,7 @@ pub(crate) fn node_extent(
     Ok((stride, length))
 }
 
-/// Parameters within their ranges, as many as the element has.
+/// Checks that the parameters lie within their ranges and have the element's number.
 #[inline]
 pub(crate) fn check_parameters(element: &Descriptor, values: &[f64]) -> Result<(), Error> {
     let refused = |code: i32, index: usize| Err(Error::new(code, argument::PARAMETERS, index));
@@ -103,7 +103,7 @@ pub(crate) fn check_parameters(element: &Descriptor, values: &[f64]) -> Result<(
     }
 }
 
-/// A distance beyond which nothing is looked for: a number that is not negative.
+/// Checks a distance beyond which the search ignores everything: it must not be negative or NaN.
 pub(crate) fn check_reach(reach: f64) -> Result<(), Error> {
     // by its bits: a comparison with a signalling NaN would raise an exception
     let is_negative = reach.to_bits() > (1 << 63);
@@ -114,7 +114,7 @@ pub(crate) fn check_reach(reach: f64) -> Result<(), Error> {
     }
 }
 
-/// A scale factor that is a number.
+/// Checks that a scale factor is finite.
 #[inline]
 pub(crate) fn scale(value: f64) -> Result<f64, Error> {
     if is_usable(value) {

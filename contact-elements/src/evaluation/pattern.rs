@@ -72,7 +72,7 @@ impl<'a> Pattern<'a> {
         self.connectivity.len().checked_div(nodes).unwrap_or(0)
     }
 
-    /// Writes the places of all contacts; nothing where one of them has none.
+    /// Writes the places of all contacts; writes nothing if one of them has no place.
     fn write(&self, map: &mut [i64], by_blocks: bool) -> Result<(), Error> {
         let size = self.contact.places(by_blocks);
         let absent = Error::new(code::INDEX, argument::CSR, 0);

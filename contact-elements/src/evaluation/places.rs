@@ -19,13 +19,13 @@ pub(crate) struct Map<'a> {
 /// The places of a row of K, from a column on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Places<'a> {
-    /// Of the row's entries from the column on, or of the blocks of the row's node.
+    /// Places of the row's entries from the column on, or of the blocks of the row's node.
     places: &'a [i64],
-    /// Of blocks: how far the row is from the first of its node.
+    /// For blocks: distance of the row from the first row of its node.
     shift: usize,
-    /// Of blocks: the column.
+    /// For blocks: the column.
     column: usize,
-    /// Of blocks: unknowns with a position, components of a node; else 0.
+    /// For blocks: unknowns with a position and components of a node; otherwise 0.
     bound: usize,
     dimension: usize,
 }
@@ -150,7 +150,7 @@ fn place(unknown: usize, bound: usize, dimension: usize) -> (usize, usize) {
 }
 
 impl Places<'_> {
-    /// Hands every value on with its place.
+    /// Passes every value on with its place.
     #[inline(always)]
     pub(crate) fn each(&self, values: &[f64], mut add: impl FnMut(usize, f64)) {
         match self.dimension {

@@ -19,24 +19,24 @@ use crate::registered::Registered;
 pub struct Evaluation<'a> {
     /// Reference coordinates \[nodes · dimension\], length.
     pub x: &'a [f64],
-    /// Displacements \[nodes · dimension\], length; empty: zero.
+    /// Displacements \[nodes · dimension\], length; empty for zero.
     pub u: &'a [f64],
     /// Parameters, in the units and ranges of [`Parameter`](crate::Parameter).
     pub parameters: &'a [f64],
-    /// Accepted history; empty: the projection starts from the centre, and with friction contact begins here
+    /// Accepted history. If empty, the projection starts from the centre, and with friction contact begins here
     /// without tangential force.
     pub history: &'a [f64],
     /// Interpolated slaves: shape row and weight.
     pub slave_row: &'a [f64],
-    /// Residual dW/du \[unknowns\], the force on the contact's nodes with the opposite sign; empty: not wanted.
+    /// Residual dW/du \[unknowns\], the force on the contact's nodes with the opposite sign; empty if not requested.
     pub residual: &'a mut [f64],
-    /// Tangent \[unknowns · unknowns\], the derivative of the residual, row after row; empty: not wanted.
+    /// Tangent \[unknowns · unknowns\], the derivative of the residual, row after row; empty if not requested.
     pub tangent: &'a mut [f64],
-    /// Output \[points · [`OUTPUT_SIZE`]\]; empty: not wanted.
+    /// Output \[points · [`OUTPUT_SIZE`]\]; empty if not requested.
     pub output: &'a mut [f64],
-    /// Trial history; empty: not wanted. It becomes the accepted history when the step is accepted.
+    /// Trial history; empty if not requested. It becomes the accepted history when the step is accepted.
     pub trial: &'a mut [f64],
-    /// Energy \[1\]; empty: not wanted.
+    /// Energy \[1\]; empty if not requested.
     pub energy: &'a mut [f64],
     /// Workspace of an interpolated slave, [`Descriptor::workspace`](crate::Descriptor::workspace) entries.
     pub workspace: &'a mut [f64],
@@ -44,7 +44,7 @@ pub struct Evaluation<'a> {
     pub bits: u32,
 }
 
-/// Evaluates one contact of an element: status and number of closed points.
+/// Evaluates one contact of an element; returns status and number of closed points.
 ///
 /// An output is written where its slice is not empty. A gap is positive where the bodies are apart, a normal traction
 /// is negative in contact.
@@ -133,7 +133,7 @@ pub(crate) fn run(
 }
 
 impl Evaluation<'_> {
-    /// Bits of all outputs that are wanted.
+    /// Bits of all requested outputs.
     pub(crate) fn request(&self) -> u32 {
         let outputs = [
             (&self.residual, request::RESIDUAL),
@@ -157,7 +157,7 @@ impl Evaluation<'_> {
         Ok(())
     }
 
-    /// Inputs that every call needs, and outputs that are wanted.
+    /// Inputs that every call needs, and requested outputs.
     fn check_needed(&self, element: &Registered, n: usize) -> Result<(), Error> {
         if self.x.len() < n * element.dimension {
             return Err(Error::missing(argument::X));
@@ -169,7 +169,7 @@ impl Evaluation<'_> {
         self.check_outputs(lengths)
     }
 
-    /// Outputs that are wanted: lengths of residual, tangent, trial history, output, energy.
+    /// Requested outputs: lengths of residual, tangent, trial history, output, energy.
     pub(crate) fn check_outputs(&self, lengths: [usize; 5]) -> Result<(), Error> {
         let bits = self.request();
         let outputs = [

@@ -35,7 +35,7 @@ pub(crate) struct Share<'a> {
 
 /// A matrix of the host for one contact.
 pub(crate) enum Matrix<'a> {
-    /// Nobody asked for it.
+    /// The matrix was not requested.
     None,
     /// All pairs of unknowns, row after row.
     Dense(&'a mut [f64]),
@@ -59,7 +59,7 @@ impl Strided<'_> {
     }
 }
 
-/// Outputs of one contact. Empty arrays are outputs that nobody asked for.
+/// Outputs of one contact. Empty arrays are outputs that were not requested.
 pub struct Target<'a> {
     pub(crate) unknowns: usize,
     pub(crate) dimension: usize,
@@ -67,7 +67,7 @@ pub struct Target<'a> {
     pub(crate) history_layout: HistoryLayout,
     pub(crate) f: &'a [Cell<f64>],
     pub(crate) k: Matrix<'a>,
-    /// Row of the host for every unknown; `None`: the unknowns themselves.
+    /// Row of the host for every unknown; `None` for the unknowns themselves.
     pub(crate) map: Option<&'a [i32]>,
     pub(crate) f_scale: f64,
     pub(crate) k_scale: f64,
@@ -149,8 +149,8 @@ impl Target<'_> {
         }
     }
 
-    /// Writes the trial history of a point: status and ζ; with friction the anchor and the slip path too; with
-    /// rolling the anchors and paths of both angles and the regime; of edges the normal; a multiplier last.
+    /// Writes the trial history of a point: status and ζ; with friction also anchor and slip path; with
+    /// rolling the anchors and paths of both angles and the regime; for edges the normal; a multiplier last.
     fn trial(&self, point: usize, report: &Report) {
         let layout = self.history_layout;
         let size = layout.size();

@@ -13,9 +13,9 @@ pub trait Quad: Copy + Add<Output = Self> + Mul<Output = Self> {
     fn new(values: [f64; 4]) -> Self;
     /// The same number four times.
     fn same(value: f64) -> Self;
-    /// To the first places; nothing where there are too few.
+    /// Writes to the first places; does nothing if there are too few.
     fn store(self, to: &mut [f64]);
-    /// To `to`.
+    /// Writes to `to`.
     ///
     /// # Safety
     /// There is room for four numbers.
@@ -35,16 +35,16 @@ pub trait Wide: Real {
         + BitOr<Output = Self::Mask>
         + Not<Output = Self::Mask>;
 
-    /// The first entries; zero where there are too few.
+    /// The first entries; zero if there are too few.
     fn load(from: &[f64]) -> Self;
-    /// To the first places; nothing where there are too few.
+    /// Writes to the first places; does nothing if there are too few.
     fn store(self, to: &mut [f64]);
     /// The numbers from `from` on.
     ///
     /// # Safety
     /// There are as many numbers as there are lanes.
     unsafe fn load_at(from: *const f64) -> Self;
-    /// To `to`.
+    /// Writes to `to`.
     ///
     /// # Safety
     /// There is room for as many numbers as there are lanes.
@@ -54,7 +54,7 @@ pub trait Wide: Real {
     /// # Safety
     /// There are four numbers at the first addresses, one for each lane.
     unsafe fn collect(from: &[*const f64; 8]) -> [Self; 4];
-    /// Four numbers of every contact to its record: records are `apart` numbers apart. Nothing where they end.
+    /// Writes four numbers of every contact to its record; records are `apart` numbers apart. Nothing is written beyond their end.
     fn deal(quadruple: [Self; 4], to: &mut [f64], apart: usize);
     /// self < other
     fn below(self, other: Self) -> Self::Mask;
@@ -62,9 +62,9 @@ pub trait Wide: Real {
     fn at_most(self, other: Self) -> Self::Mask;
     /// self = other
     fn equals(self, other: Self) -> Self::Mask;
-    /// The larger one; `other` where they are equal or no numbers.
+    /// The larger one; `other` where they are equal or one is NaN.
     fn larger(self, other: Self) -> Self;
-    /// The smaller one; `other` where they are equal or no numbers.
+    /// The smaller one; `other` where they are equal or one is NaN.
     fn smaller(self, other: Self) -> Self;
     /// `yes` where the mask holds, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;

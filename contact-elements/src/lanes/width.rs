@@ -1,9 +1,9 @@
-//! How many lanes the processor has, asked once.
+//! How many lanes the processor has, queried once.
 
 /// Lanes of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Width {
-    /// One contact after the other: the kernel of one.
+    /// One contact after another: the kernel of a single call.
     One,
     /// Four: AVX2.
     Four,

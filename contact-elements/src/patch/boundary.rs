@@ -11,7 +11,7 @@ pub(crate) const MOST_NODES: usize = 16;
 pub(crate) const MOST_CORNERS: usize = 4;
 /// Most outputs of a geometry: values, first and second derivatives.
 const MOST_OUTPUTS: usize = 6 * MOST_NODES;
-/// Shape functions that differ by less are the same.
+/// Shape functions that differ by less than this are the same.
 const SAME: f64 = 1e-9;
 /// Parts of an edge at which shape functions are compared; they lie unsymmetrically.
 const SAMPLES: [f64; 3] = [0.25, 0.5, 0.8];
@@ -109,7 +109,7 @@ pub(crate) fn fits(element: &Descriptor) -> bool {
     }) && element.master_nodes <= MOST_NODES
 }
 
-/// The node at every corner of a facet; `None` where a corner is no node.
+/// The node at every corner of a facet; `None` if a corner has no node.
 pub(crate) fn nodes_of_corners(
     facet: &Descriptor,
     corners: &Corners,
@@ -124,7 +124,7 @@ pub(crate) fn nodes_of_corners(
     Some(nodes)
 }
 
-/// The facet's node that every node of the curve is, where the curve, taken along edge `k`, is that edge.
+/// For every node of the curve the number of the facet's node, if the curve, taken along edge `k`, is that edge.
 pub(crate) fn nodes_of_edge(
     facet: &Descriptor,
     corners: &Corners,

@@ -22,9 +22,9 @@ pub(crate) const HISTORY: usize = 5;
 pub struct Patch<'a> {
     /// A slave point against a facet.
     pub facet: &'a Registered,
-    /// A slave point against the curve that bounds the facet; `None`: beyond an edge the point is outside.
+    /// A slave point against the curve that bounds the facet; if `None`, a point beyond an edge is outside.
     pub edge: Option<&'a Registered>,
-    /// A slave point against a vertex; `None`: beyond it the point is outside.
+    /// A slave point against a vertex; if `None`, a point beyond it is outside.
     pub vertex: Option<&'a Registered>,
     /// Slave points.
     pub slave_points: usize,
@@ -32,7 +32,7 @@ pub struct Patch<'a> {
     pub master_nodes: usize,
     /// Master nodes of every facet, from 0.
     pub connectivity: &'a [i32],
-    /// Nothing farther is looked for, length; 0: no limit.
+    /// Reach of the search, length; 0 means no limit.
     pub reach: f64,
 }
 
@@ -127,7 +127,7 @@ impl<'a> Checked<'a> {
         Ok(self)
     }
 
-    /// [`Checked::spread`]: unlimited for one facet, which is searched anyway, and for facets with tangent vectors, of
+    /// [`Checked::spread`]: unlimited for one facet, which is searched anyway, and for facets with tangent vectors, about
     /// which nothing is known.
     fn spread_of_facets(&self) -> f64 {
         let has_vectors = self.facet.vectors.iter().any(|&is_vector| is_vector);
@@ -260,7 +260,7 @@ impl<'a> Checked<'a> {
     }
 }
 
-/// One slave point, penalty, no friction.
+/// Checks the element: one slave point, penalty, no friction.
 fn is_plain(element: &Descriptor) -> bool {
     matches!(element.slave, SlaveDescription::Point)
         && element.enforcement == Enforcement::Penalty
@@ -268,7 +268,7 @@ fn is_plain(element: &Descriptor) -> bool {
         && boundary::fits(element)
 }
 
-/// Corners of a facet that can be one.
+/// Corners of a facet, if the element can be one.
 fn facet_corners(facet: &Descriptor) -> Option<Corners> {
     let [domain, _] = &facet.domains;
     (is_plain(facet) && boundary::shape(facet).is_some())
@@ -276,7 +276,7 @@ fn facet_corners(facet: &Descriptor) -> Option<Corners> {
         .flatten()
 }
 
-/// The lower pairs: of the same law, with a side where the facet has two, of the facet's own edges.
+/// Checks the lower pairs: the same law, a side where the facet has two, the facet's own edges.
 fn check_lower(
     facet: &Descriptor,
     corners: &Corners,

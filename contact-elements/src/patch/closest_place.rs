@@ -11,7 +11,7 @@ use crate::search::{Verdict, closest};
 
 /// Distances that differ by less than this part are the same.
 const SAME: f64 = 1e-10;
-/// How far beyond the best another facet is still looked at.
+/// How far beyond the best distance another facet is still searched.
 const MARGIN: f64 = 1.0 + 1e-9;
 /// Smallest reach: zero would mean "no limit".
 const LEAST_REACH: f64 = 1e-150;

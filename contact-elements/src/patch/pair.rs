@@ -22,7 +22,7 @@ const MOST_UNKNOWNS: usize = 3 * (1 + MOST_NODES);
 /// A point nearer to an edge or vertex than this part of its coordinates lies on it.
 const ON_IT: f64 = 1e-14;
 
-/// What a pair gives.
+/// Contribution of a pair.
 pub(crate) struct Answer {
     pub(crate) residual: [f64; MOST_UNKNOWNS],
     pub(crate) tangent: [f64; MOST_UNKNOWNS * MOST_UNKNOWNS],
@@ -46,9 +46,9 @@ impl Answer {
 enum Foot {
     /// By Newton's method from the place found.
     Free,
-    /// It is the place found: Newton's method leaves the master by rounding.
+    /// Taken as found: Newton's method leaves the master by rounding.
     Given,
-    /// The same, on the facet: a point on an edge or vertex has no direction from it, but the facet has a normal.
+    /// Taken as found, on the facet: a point on an edge or vertex has no direction from it, but the facet has a normal.
     OnFacet,
 }
 
@@ -152,7 +152,7 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// The pair that was stored; `None` where there was none.
+    /// The pair that was stored; `None` if there was no pair.
     pub(crate) fn kept(
         checked: &Checked<'a>,
         slave: usize,
@@ -174,7 +174,7 @@ impl<'a> Pair<'a> {
         Self::with(checked, slave, &place, (side, foot.unwrap_or(Foot::Free)))
     }
 
-    /// Evaluates the pair. `bits`: what is wanted, and FREEZE_STATE.
+    /// Evaluates the pair. `bits` holds the requested outputs and FREEZE_STATE.
     pub(crate) fn evaluate(
         &mut self,
         checked: &Checked<'a>,

@@ -123,7 +123,7 @@ fn corner(checked: &Checked<'_>, facet: usize, k: usize) -> i32 {
     nodes.get(node).copied().unwrap_or(-1)
 }
 
-/// True where the patch goes on beyond both edges of a facet at its corner `k`; for curves beyond that end.
+/// True where the patch continues beyond both edges of a facet at its corner `k`; for curves beyond that end.
 fn goes_on(checked: &Checked<'_>, facet: usize, k: usize) -> bool {
     let count = checked.corners.count;
     if checked.facet.projected == 1 {

@@ -12,12 +12,12 @@ use crate::point::values::Status;
 const PROJECTION: usize = 4;
 const FEATURE: usize = 10;
 
-/// Outputs of a patch. Empty arrays are outputs that nobody asked for.
+/// Outputs of a patch. Empty arrays are outputs that were not requested.
 pub(crate) struct Sums<'a> {
     pub(crate) unknowns: usize,
     pub(crate) f: &'a [Cell<f64>],
     pub(crate) k: Strided<'a>,
-    /// Row of the host for every unknown; `None`: the unknowns themselves.
+    /// Row of the host for every unknown; `None` for the unknowns themselves.
     pub(crate) map: Option<&'a [i32]>,
     pub(crate) f_scale: f64,
     pub(crate) k_scale: f64,
@@ -61,7 +61,7 @@ impl Sums<'_> {
         }
     }
 
-    /// Adds what a closed pair gives.
+    /// Adds the contribution of a closed pair.
     pub(crate) fn add(&self, pair: &Pair<'_>, answer: &Answer) {
         let n = pair.unknowns();
         let rows = answer.tangent.chunks_exact(n.max(1));

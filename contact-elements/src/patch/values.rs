@@ -1,4 +1,4 @@
-//! What of a patch belongs to one facet: its parameters and its nodes.
+//! The part of a patch that belongs to one facet: its parameters and its nodes.
 
 use super::checked::Checked;
 use crate::codes::argument;

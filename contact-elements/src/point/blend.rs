@@ -1,11 +1,11 @@
-//! What the weight by the angle of two curves adds to a contact point.
+//! Contributions of the weight by the angle of two curves to a contact point.
 
 use crate::arithmetic::abs;
 
 /// Pairs of forms of the tangent, see [`AngleCoefficients`].
 const PAIRS: usize = 12;
 
-/// What the law gives before the weight, and how the weight changes with q = sin²θ.
+/// Values of the law before the weight, and how the weight changes with q = sin²θ.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Blend {
     /// w' = dw/dq

@@ -17,7 +17,7 @@ pub enum Domain {
 }
 
 impl Domain {
-    /// Start of the projection where the host gives none.
+    /// Start of the projection if the host gives none.
     #[inline(always)]
     pub const fn centre(&self) -> [f64; 2] {
         match *self {

@@ -5,18 +5,18 @@
 //! W =         − λ²/(2c) ,  R = 0              ,  R_λ = −λ/c           open
 //! ```
 //!
-//! The history's multiplier is no unknown: R_λ and −λ²/(2c) are left out.
+//! A multiplier of the history is not an unknown: R_λ and −λ²/(2c) are left out.
 
 use crate::arithmetic::abs;
 use crate::point::law::Traction;
 
-/// Least stiffness of a law beside a multiplier, and largest traction: λ/c and N²/c stay numbers, and the history
-/// takes every multiplier.
+/// Least stiffness of a law with a multiplier, and largest traction: λ/c and N²/c stay finite, and the history
+/// can hold every multiplier.
 const LEAST_STIFFNESS: f64 = 1e-200;
 const LARGEST_TRACTION: f64 = 1e30;
 
-/// Traction and energy of a closed point with a multiplier beside its law; none where the law is no spring here or
-/// the traction too large. `is_unknown`: the multiplier is one.
+/// Traction and energy of a closed point with a multiplier; `None` where the law is not a spring or
+/// the traction is too large. `is_unknown` says whether the multiplier is an unknown.
 ///
 /// N² − λ² is formed as N(g) (N + λ): nothing cancels at small gaps.
 #[inline(always)]
@@ -37,7 +37,7 @@ pub(crate) fn enforced(law: Traction, multiplier: f64, is_unknown: bool) -> Opti
     })
 }
 
-/// What the history of a closed point says next time. [eq:uzawa]
+/// Multiplier of a closed point for the trial history. [eq:uzawa]
 #[inline(always)]
 pub(crate) fn remembered(traction: f64) -> f64 {
     traction.min(0.0)

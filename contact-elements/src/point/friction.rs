@@ -43,7 +43,7 @@ pub trait TangentialLaw {
     const ACTIVE: bool;
     /// True for two axes with their own stiffness and bound.
     const ORTHOTROPIC: bool;
-    /// False for a law that sticks always.
+    /// False for a law that always sticks.
     const BOUNDED: bool;
     /// Number of parameters.
     const PARAMETERS: usize;
@@ -79,8 +79,8 @@ const THINNEST: f64 = 1e-13;
 /// Most steps to the ellipse.
 const MOST_STEPS: u32 = 60;
 
-/// Force at the slip s since the anchor, to `tangential`. `path`: slip path of the accepted history; `forced`:
-/// stick or slip as the history says.
+/// Computes the force at the slip s since the anchor into `tangential`. `path` is the slip path of the accepted history;
+/// `forced` makes the point stick or slip as the history says.
 #[inline(always)]
 pub fn return_map<L: TangentialLaw>(
     s: [f64; 2],
@@ -134,10 +134,10 @@ pub fn return_map<L: TangentialLaw>(
     Ok(Status::Stick)
 }
 
-/// Stiffnesses below this are none: quotients of two stay within the range of a double.
+/// Stiffnesses below this are refused: quotients of two stay within the range of a double.
 const SOFTEST: f64 = 1e-200;
 
-/// Stiffnesses are positive, all values are numbers.
+/// True if stiffnesses are positive and all values are finite.
 #[inline(always)]
 fn is_usable<L: TangentialLaw>(friction: &Friction) -> bool {
     let axes = if L::ORTHOTROPIC { 2 } else { 1 };
@@ -153,7 +153,7 @@ fn is_usable<L: TangentialLaw>(friction: &Friction) -> bool {
         && finite(&friction.by_slip)
 }
 
-/// Every bound is positive and not negligible beside the trial force.
+/// True if every bound is positive and not negligible beside the trial force.
 #[inline(always)]
 fn has_room(trial: &[f64; 2], bound: &[f64; 2]) -> bool {
     let largest = abs(trial[0]).max(abs(trial[1]));
@@ -195,7 +195,7 @@ impl Ellipse {
         first > 1.0 || last > 1.0 || first * first + last * last > 1.0
     }
 
-    /// γ with Σ (y_q/(1 + γ k_q))² = 1: Newton's method on 1/|z| − 1 from a point on the near side; none where it
+    /// γ with Σ (y_q/(1 + γ k_q))² = 1: Newton's method on 1/|z| − 1 from a point on the near side; `None` if it
     /// finds no γ. [eq:ellipse-newton]
     #[inline(never)]
     fn nearest(&self, beyond: bool) -> Option<f64> {

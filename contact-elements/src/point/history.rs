@@ -17,9 +17,9 @@ pub struct HistoryLayout {
     pub slip: usize,
     /// Anchors and paths of both angles and the regime, with rolling.
     pub rolling: usize,
-    /// The normal, of edges.
+    /// The normal, for edges.
     pub side: usize,
-    /// The multiplier, where the history carries one.
+    /// The multiplier, if the history carries one.
     pub multiplier: usize,
 }
 
@@ -229,11 +229,11 @@ impl Reach {
     }
 }
 
-/// The accepted history of a call: numbers that nobody else writes, or cells, where the host handed in one array for the
+/// The accepted history of a call: numbers that nobody else writes, or cells if the host passed one array for the
 /// accepted and the trial history. All reads of a point come before its writes.
 #[derive(Clone, Copy, Debug)]
 pub enum History<'a> {
-    /// An array of its own.
+    /// A separate array.
     Own(&'a [f64]),
     /// An array that may be the trial history too.
     Shared(&'a [Cell<f64>]),

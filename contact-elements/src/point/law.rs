@@ -2,8 +2,8 @@
 
 use crate::lanes::Real;
 
-/// Largest N, N' and W [as declared]: ½ ε g² of the largest ε and g that are taken. Products of larger ones would
-/// overflow, even such that no output needs.
+/// Largest N, N' and W [as declared]: ½ ε g² at the largest accepted ε and g. Products of larger values would
+/// overflow, even those that no output needs.
 pub(crate) const LARGEST_VALUE: f64 = 1e90;
 
 /// N, N' and W of a normal law at one gap.
@@ -13,7 +13,7 @@ pub struct Traction<T = f64> {
     pub traction: T,
     /// N'
     pub slope: T,
-    /// W; 0 where the law declares none.
+    /// W; 0 if the law declares no energy.
     pub energy: T,
 }
 

@@ -1,4 +1,4 @@
-//! Linear forms over the motion of two curves: what the coefficients of their moments are made of.
+//! Linear forms over the motion of two curves, in which the coefficients of their moments are written.
 //!
 //! ```text
 //! form(A,k) = s_A v_k + s_A,i v^i_k + s_A,ii w^i_k + s_A,iii z^i_k
@@ -23,7 +23,7 @@ pub struct Motion<const D: usize, const P: usize> {
 /// Coefficients of the residual of the moments.
 #[derive(Clone, Copy, Debug)]
 pub struct RollingForce<const D: usize, const P: usize> {
-    /// Added to t_q in what multiplies δζ̂^q.
+    /// Added to t_q in the factor of δζ̂^q.
     pub share: [f64; 2],
     /// The rest.
     pub explicit: Motion<D, P>,
@@ -137,7 +137,7 @@ impl<const D: usize, const P: usize> RollingCoefficients<D, P> {
 pub struct RollingLayout {
     /// Law.
     pub law: usize,
-    /// Directors, slave first; none where the principal normals serve.
+    /// Directors, slave first; `None` with principal normals.
     pub directors: Option<usize>,
 }
 

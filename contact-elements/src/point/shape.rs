@@ -1,4 +1,4 @@
-//! What a declaration becomes: traits that the macro implements.
+//! The traits that the macro implements for the items of a declaration.
 
 use crate::lanes::Real;
 use crate::point::domain::Domain;

@@ -16,11 +16,11 @@ pub(crate) struct Point<const D: usize, const P: usize, const H: usize> {
     pub(crate) gap: Gap<D>,
     /// ±1, factor of the normal.
     pub(crate) orientation: f64,
-    /// Of a closed point; of every point that has a multiplier.
+    /// Traction of a closed point, and of every point that has a multiplier.
     pub(crate) law: Traction,
-    /// What the weight by the angle does to it.
+    /// Effect of the weight by the angle.
     pub(crate) blend: Blend,
-    /// λ; 0 where there is none.
+    /// λ; 0 without a multiplier.
     pub(crate) multiplier: f64,
     pub(crate) iterations: u32,
 }

@@ -1,4 +1,4 @@
-//! An elastic slip taken along when the projection passes from one element to its neighbour. [eq:transfer]
+//! Carries an elastic slip along when the projection passes from one element to its neighbour. [eq:transfer]
 //!
 //! The anchor is a pair of parameters of one element; what two elements have in common is the slip in space.
 
@@ -30,7 +30,7 @@ pub struct TangentPlane {
 }
 
 impl TangentPlane {
-    /// The plane of `projected` tangents; none where they span no plane or n is no unit vector.
+    /// The plane of `projected` tangents; `None` where they span no plane or n is no unit vector.
     pub fn new(b: [[f64; 3]; 2], n: [f64; 3], projected: usize) -> Option<Self> {
         let unit = abs(dot(&n, &n) - 1.0) <= NOT_UNIT;
         let lengths = b.iter().take(projected);
@@ -66,8 +66,8 @@ impl TangentPlane {
         s
     }
 
-    /// s of this plane turned into the plane `to` by the smallest rotation between their normals: the
-    /// reflection that takes n_A into −n_B, m = n_A + n_B. None for opposite normals.
+    /// s of this plane rotated into the plane `to` by the smallest rotation between their normals: the
+    /// reflection that takes n_A into −n_B, m = n_A + n_B. `None` for opposite normals.
     pub fn turned(&self, s: &[f64; 3], to: &Self) -> Option<[f64; 3]> {
         let m: [f64; 3] = core::array::from_fn(|k| self.n[k] + to.n[k]);
         let square = dot(&m, &m);
@@ -78,7 +78,7 @@ impl TangentPlane {
         Some(core::array::from_fn(|k| s[k] - part * m[k]))
     }
 
-    /// Δζ^i = a^ij b_j·s. Along a curve s keeps its length; none where it stands across the curve.
+    /// Δζ^i = a^ij b_j·s. Along a curve s keeps its length; `None` where it stands across the curve.
     pub fn parameters(&self, s: &[f64; 3]) -> Option<[f64; 2]> {
         let [b, _] = &self.b;
         let (along, square) = (dot(b, s), dot(b, b));

@@ -24,7 +24,7 @@ pub struct Variation<const D: usize, const P: usize> {
     pub turning: [f64; P],
 }
 
-/// −P_q: what the second variation has beside Z_q. G_q has the same bending.
+/// −P_q: the part of the second variation apart from Z_q. G_q has the same bending.
 #[derive(Clone, Copy, Debug)]
 pub struct SecondVariation<const D: usize, const P: usize, const H: usize> {
     /// Multiplies s_A.

@@ -217,10 +217,10 @@ pub(crate) fn is_zero<const D: usize>(r: &[f64; D], scale: f64) -> bool {
 /// How the normal law holds the bodies apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Enforcement {
-    /// By itself.
+    /// The law alone.
     Penalty,
-    /// Beside a multiplier that the history carries.
+    /// The law and a multiplier that the history carries.
     Augmented,
-    /// Beside a multiplier that is an unknown.
+    /// The law and a multiplier that is an unknown.
     Multiplier,
 }

@@ -54,7 +54,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Looks at boxes until none is left.
+    /// Processes boxes until no box is left.
     pub(super) fn run(mut self) -> Closest {
         let mut scratch = [Interval::ZERO; MOST_OPERATIONS];
         let whole = Box {
@@ -75,7 +75,7 @@ impl<'a> Search<'a> {
         self.finish()
     }
 
-    /// A distance to begin with: the least of a few points, and where Newton's method leads from there.
+    /// A distance to begin with: the least of a few points, and the point to which Newton's method leads from there.
     fn sample(&mut self, whole: &Box) {
         const SHARES: [f64; 4] = [0.08, 0.36, 0.64, 0.92];
         let near = |lower: f64, upper: f64| {
@@ -106,7 +106,7 @@ impl<'a> Search<'a> {
                 false => (start, least),
             };
         }
-        // nothing farther than this point is looked at; of a small distance its rounding is a large part
+        // nothing farther than this point is searched; of a small distance its rounding is a large part
         let ends = self.sides.positions(&start).map(|end| sqrt(square(&end)));
         let scale = size(&self.sides.at(&start), self.region.p) + ends[0] + ends[1];
         let reach = sqrt(least) + ROUNDING * scale;
@@ -209,7 +209,7 @@ impl<'a> Search<'a> {
     fn extent(&self, i: usize) -> f64 {
         let i = i.min(1);
         let extent = self.region.upper[i] - self.region.lower[i];
-        // never zero: what is divided by it may be divided before anyone looks
+        // never zero: the compiler may divide by it before the branch that tests it
         if extent > 0.0 && extent < FAR {
             extent
         } else {
@@ -239,7 +239,7 @@ impl<'a> Search<'a> {
         } else if !is_cut && !self.is_cut && !near(&best) && self.are_apart(&foot, &best) {
             self.is_double = true;
         }
-        // of two as near as each other the one that no box cuts off
+        // of two equally near ones the one that no box cuts off
         let is_kept = if is_cut == self.is_cut {
             foot.square < best.square
         } else {
@@ -251,7 +251,7 @@ impl<'a> Search<'a> {
         self.best = self.best.min(foot.square);
     }
 
-    /// True where a side of the box that is none of the domain holds the foot: r·r falls beyond it, by more than
+    /// True where a side of the box that is not a side of the domain holds the foot: r·r falls beyond it, by more than
     /// rounding.
     fn is_cut(&self, within: &Box, foot: &Foot) -> bool {
         let local = self.sides.at(&foot.zeta);

@@ -19,7 +19,7 @@ pub enum Verdict {
 /// The closest point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Closest {
-    /// What is known of it.
+    /// The verdict.
     pub verdict: Verdict,
     /// Projected parameters.
     pub zeta: [f64; 2],

@@ -35,8 +35,8 @@ fn curvature(local: &Local<f64>) -> [f64; 3] {
     [f(0, 0), f(0, 1), f(1, 1)]
 }
 
-/// a/b, its size limited to 1e30. Every quotient of the search is formed so: the compiler may divide before a branch
-/// has looked at the divisor, and hosts run with traps for what is invalid or overflows.
+/// a/b, its size limited to 1e30. Every quotient of the search is formed so: the compiler may divide before the branch
+/// that tests the divisor, and hosts run with traps for invalid and overflow.
 fn quotient(a: f64, b: f64) -> f64 {
     let least = 1e-30 * abs(a) + 1e-200;
     a / abs(b).max(least).copysign(b)
@@ -177,7 +177,7 @@ fn direction(local: &Local<f64>, slopes: &[f64; 2], free: [bool; 2]) -> [f64; 2]
     }
 }
 
-/// A step within the box, halved until r·r falls; false where none is left to take.
+/// A step within the box, halved until r·r falls; false if no step is left to take.
 fn advance(
     sides: &Sides<'_>,
     zeta: &mut [f64; 2],

@@ -1,4 +1,4 @@
-//! What is known of ½ r·r over a box: bounds of its value, its slopes and its curvature. [eq:box-bounds]
+//! Bounds of ½ r·r over a box: of its value, its slopes and its curvature. [eq:box-bounds]
 
 // min(1), min(2): an index that the compiler does not see through would be a panicking path
 

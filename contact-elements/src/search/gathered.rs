@@ -1,4 +1,4 @@
-//! Both sides of a contact point for the global projection, in a frame of their own.
+//! Both sides of a contact point for the global projection, in the frame of the search.
 
 use super::pair::{Side, Sides};
 use crate::arithmetic::is_usable;

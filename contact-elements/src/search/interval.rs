@@ -5,7 +5,7 @@
 use crate::arithmetic;
 use crate::table::{Operation, Table};
 
-/// What stands for no bound.
+/// Stands for a missing bound.
 pub(super) const HUGE: f64 = 1e150;
 /// Relative error that the elementary functions may have.
 const ELEMENTARY: f64 = 4.0 * f64::EPSILON;
@@ -42,7 +42,7 @@ impl Interval {
         }
     }
 
-    /// A [`step`] outwards, within the finite range; everything where a bound is no number.
+    /// A [`step`] outwards, within the finite range; everything if a bound is NaN.
     fn outward(lower: f64, upper: f64) -> Self {
         if lower >= -HUGE && upper <= HUGE && lower <= upper {
             Self {
@@ -71,7 +71,7 @@ impl Interval {
         Self::outward(a.min(b) - slack, a.max(b) + slack)
     }
 
-    /// What two enclosures of the same value have in common.
+    /// Intersection of two enclosures of the same value.
     pub(super) fn common(self, other: Self) -> Self {
         let (lower, upper) = (self.lower.max(other.lower), self.upper.min(other.upper));
         if lower <= upper {
@@ -110,7 +110,7 @@ impl Interval {
             self.upper * other.upper,
         ];
         let [first, rest @ ..] = products;
-        // comparisons, since products of finite bounds are numbers
+        // comparisons, since products of finite bounds are never NaN
         let lower = rest.iter().fold(
             first,
             |least, &value| if value < least { value } else { least },

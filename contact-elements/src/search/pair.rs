@@ -47,7 +47,7 @@ pub(super) struct Local<T> {
     pub(super) second: [[T; 3]; 3],
 }
 
-/// What positions are added up from.
+/// Sums from which positions are computed.
 pub(super) trait Number: Copy {
     const ZERO: Self;
     fn plus(self, other: Self) -> Self;

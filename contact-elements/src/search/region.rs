@@ -3,7 +3,7 @@
 use super::pair::Sides;
 use crate::point::domain::Domain;
 
-/// What stands for a missing bound of a domain.
+/// Stands for a missing bound of a domain.
 pub(super) const FAR: f64 = 1e12;
 
 /// The domain of all projected parameters.
@@ -68,7 +68,7 @@ impl Region {
     }
 }
 
-/// Bounds of parameter `i`; infinite where there is none.
+/// Bounds of parameter `i`; infinite where a bound is missing.
 fn bounds(domain: &Domain, i: usize) -> (f64, f64) {
     match *domain {
         Domain::Interval(lower, upper) => (lower, upper),
@@ -110,7 +110,7 @@ impl Box {
         }
     }
 
-    /// Leaves what lies on the diagonal; false where nothing does.
+    /// Leaves what lies on the diagonal; false if nothing does.
     pub(super) fn move_to_diagonal(&mut self) -> bool {
         let low = self.lower[0].max(1.0 - self.upper[1]);
         let high = self.upper[0].min(1.0 - self.lower[1]);

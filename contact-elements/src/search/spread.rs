@@ -9,7 +9,7 @@ use crate::table::Table;
 const PIECES: u32 = 4;
 
 /// An upper bound of Σ|N_A| over a bounded domain of two parameters: with ΣN_A = 1 no point is farther from any centre
-/// than this times the farthest node. Infinite where it cannot be told. [eq:spread]
+/// than this times the farthest node. Infinite if it is unknown. [eq:spread]
 pub(crate) fn spread(program: &Table, nodes: usize, domain: &Domain) -> f64 {
     let (lower, upper, is_triangle) = match *domain {
         Domain::Interval(lower, upper) => ([lower, 0.0], [upper, 0.0], false),

@@ -8,8 +8,8 @@ use super::region::Region;
 use crate::arithmetic::sqrt;
 use crate::point::domain::Domain;
 
-/// The closest points of two sides over their domains. `reach`: nothing farther is looked for; 0: no limit.
-/// None where a geometry has too many nodes or operations.
+/// The closest points of two sides over their domains. Nothing beyond `reach` is searched; 0 means no limit.
+/// `None` if a geometry has too many nodes or operations.
 pub(crate) fn closest(
     sides: &Sides<'_>,
     domains: &[Domain; 2],

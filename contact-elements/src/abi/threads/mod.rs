@@ -4,9 +4,9 @@
 //! |---|---|
 //! | `parallel` | which thread evaluates which contacts, and when |
 //! | `owners` | who adds to the entries of a node |
-//! | `journal` beside this folder | what is added later, so that every entry gets its contributions in the order of the contacts |
+//! | `journal` in the parent folder | what is added later, so that every entry gets its contributions in the order of the contacts |
 //!
-//! All three with the feature `threads` alone; without it the calling thread evaluates the batch.
+//! All three need the feature `threads`; without it the calling thread evaluates the batch.
 
 #[cfg(feature = "threads")]
 mod owners;

@@ -1,22 +1,22 @@
-//! Which part of a batch adds to the entries of a node: of those at work at one time the first that has the node.
+//! Which part of a batch adds to the entries of a node: of the parts at work at one time, the first that has the node.
 
 use core::ptr::NonNull;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
 use std::alloc::{Layout, alloc_zeroed, dealloc};
 
-/// A mark for every node: the largest of the parts that have it. Parts that work later have larger marks, of those that
+/// A mark for every node: the largest of the parts that have it. Parts that work later have larger marks; of those that
 /// work at one time the first has the largest.
 pub(super) struct Owners {
     marks: NonNull<AtomicUsize>,
     layout: Layout,
 }
 
-// SAFETY: the marks are atomic numbers of their own.
+// the marks are separate atomic numbers.
 unsafe impl Sync for Owners {}
 
 impl Owners {
-    /// No marks for so many nodes; none where there is no memory for them. Memory that is zero from the start: a
+    /// Zero marks for so many nodes; `None` if there is no memory for them. The memory is zero from the start: a
     /// batch that has few of the nodes does not touch the rest.
     pub(super) fn new(nodes: usize) -> Option<Self> {
         let layout = Layout::array::<AtomicUsize>(nodes.max(1)).ok()?;

@@ -1,14 +1,14 @@
 //! Which thread evaluates which contacts, and when.
 //!
-//! The contacts are cut into rounds, a round into parts, one for each thread. In a round
+//! The contacts are cut into rounds, and each round into parts, one for each thread. In a round:
 //!
 //! | step | each thread |
 //! |---|---|
 //! | 1 | marks the nodes of its part; a node belongs to the first part that has it |
-//! | 2 | evaluates its part, adds to the shared entries of the part's nodes, writes down what goes to others |
-//! | 3 | adds, for its share of the nodes, what the parts wrote down, part after part |
+//! | 2 | evaluates its part, adds to the shared entries of the part's nodes, records what goes to others |
+//! | 3 | adds, for its share of the nodes, what the parts recorded, part after part |
 //!
-//! A node's entries so receive what its part adds, then what later parts wrote down: the order of the contacts.
+//! A node's entries thus receive first what its part adds, then what later parts recorded: the order of the contacts.
 
 use std::sync::OnceLock;
 use std::vec::Vec;
@@ -26,21 +26,21 @@ use crate::error::Error;
 use crate::evaluation::batch::run::Failures;
 use crate::lanes::Width;
 
-/// A part has at least so many contacts: blocks of the kernels in lanes stay full.
+/// Fewest contacts of a part: blocks of the kernels in lanes stay full.
 const FEWEST: usize = 16;
-/// Rounds of a large batch, for threads whose parts take longer than others.
+/// Number of rounds of a large batch: it helps when some threads take longer than others.
 const ROUNDS: usize = 4;
-/// Fewest contacts of a part, where there are several rounds: threads wait for each other three times in a round.
+/// Fewest contacts of a part when there are several rounds: threads wait for each other three times in a round.
 const WORTH_A_ROUND: usize = 2048;
-/// Most numbers that a part may have to write down, for every point.
+/// Most numbers that a part may have to record, for every point.
 const MOST_WRITTEN: usize = 1 << 22;
 /// Numbers that are added by one thread.
 const ADDED_ALONE: usize = 1 << 12;
 
-/// The fault of a batch for which the memory ran out half-way.
+/// The fault of a batch whose memory ran out midway.
 const NO_MEMORY: Error = Error::new(code::WORKSPACE, argument::WORKSPACE, 0);
 
-/// One thread per processor, kept from the first call on; none where the system refuses them.
+/// One thread per processor, kept from the first call on; `None` if the system refuses them.
 fn pool() -> Option<&'static ThreadPool> {
     static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
     let made = POOL.get_or_init(|| {
@@ -53,7 +53,7 @@ fn pool() -> Option<&'static ThreadPool> {
     made.as_ref()
 }
 
-/// Evaluates all contacts by several threads; 0: one per processor.
+/// Evaluates all contacts by several threads; 0 means one per processor.
 pub(super) fn all(work: &Work<'_>, threads: usize) -> Result<Failures, Error> {
     let width = Width::widest();
     let most = work.shape.count.div_ceil(FEWEST);
@@ -73,7 +73,7 @@ pub(super) fn all(work: &Work<'_>, threads: usize) -> Result<Failures, Error> {
     let parts = round.as_ref().and_then(Round::parts);
     match (&round, parts) {
         (Some(round), Some(mut parts)) => pool.install(|| round.all(&mut parts)),
-        // no memory: by one thread
+        // no memory: one thread does the work
         _ => work.all(width),
     }
 }
@@ -82,7 +82,7 @@ pub(super) fn all(work: &Work<'_>, threads: usize) -> Result<Failures, Error> {
 struct Round<'a> {
     work: &'a Work<'a>,
     width: Width,
-    /// Of the shared entries, where there are any.
+    /// Journal and marks of the shared entries, if there are any.
     owners: Option<Owners>,
     /// Parts of a round.
     parts: usize,
@@ -254,7 +254,7 @@ impl<'a> Round<'a> {
         );
     }
 
-    /// Adds what the parts wrote down, for a share of the nodes.
+    /// Adds what the parts recorded, for a share of the nodes.
     fn add(&self, parts: &[Part<'_>], share: usize, shares: usize) {
         let sums = Sums {
             global_f: self.work.batch.global_f,

@@ -26,7 +26,7 @@ pub(crate) trait Outputs {
     /// Where the outputs of a contact go.
     fn target(&mut self, contact: usize) -> Target<'_>;
 
-    /// What became of a contact.
+    /// The result for a contact.
     fn note(&mut self, contact: usize, result: Result<Status, Error>);
 }
 
@@ -225,7 +225,7 @@ impl Contacts for Run<'_> {
 }
 
 impl Failures {
-    /// What a batch comes to: the first failure, in the order of the contacts.
+    /// The result of a batch: the first failure, in the order of the contacts.
     pub(crate) fn outcome(&self) -> Result<(), Error> {
         match self.first {
             None => Ok(()),

@@ -26,31 +26,31 @@ pub struct Batch<'a> {
     /// Reference coordinates, length: \[contacts · nodes · dimension\], or with a connectivity
     /// \[model nodes · dimension\].
     pub x: &'a [f64],
-    /// Displacements likewise; empty: zero.
+    /// Displacements likewise; empty for zero.
     pub u: &'a [f64],
-    /// Model nodes of every contact \[contacts · nodes\]; empty: each contact has nodes of its own.
+    /// Model nodes of every contact \[contacts · nodes\]; empty if each contact has separate nodes.
     pub connectivity: &'a [i32],
     /// Slave nodes of an interpolated slave; 0 for the others.
     pub slave_nodes: usize,
     /// Parameters, one set for all contacts or one for each.
     pub parameters: &'a [f64],
-    /// Accepted histories; empty: every contact begins.
+    /// Accepted histories; if empty, contact begins everywhere.
     pub history: &'a [f64],
     /// Interpolated slaves: shape row and weight of each contact.
     pub slave_row: &'a [f64],
-    /// Residuals \[contacts · unknowns\]; empty: not wanted.
+    /// Residuals \[contacts · unknowns\]; empty if not requested.
     pub residual: &'a mut [f64],
-    /// Tangents \[contacts · unknowns²\]; empty: not wanted.
+    /// Tangents \[contacts · unknowns²\]; empty if not requested.
     pub tangent: &'a mut [f64],
-    /// Outputs \[contacts · points · [`OUTPUT_SIZE`]\]; empty: not wanted.
+    /// Outputs \[contacts · points · [`OUTPUT_SIZE`]\]; empty if not requested.
     pub output: &'a mut [f64],
-    /// Trial histories; empty: not wanted.
+    /// Trial histories; empty if not requested.
     pub trial: &'a mut [f64],
-    /// Energies \[contacts\]; empty: not wanted.
+    /// Energies \[contacts\]; empty if not requested.
     pub energy: &'a mut [f64],
     /// Sums that all contacts add to, by their connectivity.
     pub assembly: Assembly<'a>,
-    /// Status or error of every contact: as many as there are contacts.
+    /// Status or error of every contact; its length is the number of contacts.
     pub results: &'a mut [Result<Status, Error>],
     /// Workspace of an interpolated slave, [`Descriptor::workspace`](crate::Descriptor::workspace) entries.
     pub workspace: &'a mut [f64],
@@ -119,7 +119,7 @@ pub fn evaluate_batch(element: &Registered, batch: &mut Batch<'_>) -> Result<(),
 }
 
 impl Batch<'_> {
-    /// What a host in C would say of it.
+    /// The description of the batch as a host in C would give it.
     fn form(&self, element: &Registered) -> Form {
         let sets = element.parameters.len();
         let d = element.dimension.max(1);

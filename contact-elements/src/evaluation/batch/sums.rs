@@ -10,9 +10,9 @@ use crate::evaluation::target::{Entry, Shared};
 /// Forces and sparse matrix of a model, which contacts add to.
 #[derive(Debug, Default)]
 pub struct Assembly<'a> {
-    /// Force vector \[model nodes · dimension\]; empty: not wanted.
+    /// Force vector \[model nodes · dimension\]; empty if not requested.
     pub force: &'a mut [f64],
-    /// Values of the sparse matrix; empty: not wanted.
+    /// Values of the sparse matrix; empty if not requested.
     pub matrix: &'a mut [f64],
     /// Scatter map of the contacts, by [`scatter_map`](crate::scatter_map) or
     /// [`scatter_blocks`](crate::scatter_blocks).

@@ -61,7 +61,7 @@ pub(crate) fn nearest<E: Element<D, P, H>, const D: usize, const P: usize, const
 ) -> ([f64; P], Vectors<D, P, H>) {
     let extent = core::array::from_fn(E::extent);
     let mut zeta = inside::<E, D, P, H>(start);
-    // the place is wanted, not the status
+    // only the place matters, not the status
     let _ = descend::<E, D, P, H>(x, &mut zeta, &extent, parameters, rows);
     let vectors = kinematics::<E, D, P, H>(x, &zeta, parameters, rows);
     (zeta, vectors)
@@ -145,7 +145,7 @@ struct Held<const P: usize> {
     diagonal: bool,
 }
 
-/// Bounds of parameter i; infinite where there is none.
+/// Bounds of parameter i; infinite where a bound is missing.
 fn bounds<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     i: usize,
 ) -> (f64, f64) {

@@ -5,7 +5,7 @@ use crate::point::projection::foot::largest;
 use crate::point::projection::step::SMALLEST;
 use crate::point::values::{Vectors, dot};
 
-/// The step, at most one extent long. Not `clamp`, which panics where the bounds are no numbers.
+/// The step, at most one extent long. It does not use `clamp`, which panics where a bound is NaN.
 #[inline(always)]
 pub(crate) fn limited(step: f64, extent: f64) -> f64 {
     step.max(-extent).min(extent)

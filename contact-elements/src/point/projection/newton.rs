@@ -3,7 +3,7 @@
 //! F_ij = a_ij + r·r_,ij; det F is formed from |b_1×b_2|² so that it keeps its digits where tangents are
 //! nearly parallel. Where Newton finds no stationary point, a search within the domain decides (see
 //! `constrained`). Affine pairs need one linear solve; rigid geometries with a declared closed projection
-//! and distance functions need none. Every outcome has a status; a failure says so.
+//! and distance functions need no step. Every outcome has a status; a failure says so.
 
 use crate::arithmetic::abs;
 use crate::element::traits::{Element, Search};
@@ -83,7 +83,7 @@ pub fn project<E: Element<D, P, H>, const D: usize, const P: usize, const H: usi
     }
     if !is_free {
         let found = apart::<E, D, P, H>(x, start, &extent, parameters, rows)?;
-        // once more here: what a call leaves in memory would have every other path go through memory
+        // once more here: results of a call stay in memory, and every other path would then go through memory
         return Ok(Projected {
             zeta: found.zeta,
             vectors: E::kinematics(x, &found.zeta, parameters, rows),
@@ -196,7 +196,7 @@ fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
         let may_stagnate = !is_affine && iteration > 2 && size > 0.25 * previous;
         let stagnates = may_stagnate && are_rounding(&slopes, &metric, x);
         let is_finished = finished(E::SEARCH, iteration, size, previous, is_sharp);
-        // whatever the search ends at there, no history could hold it; a first solve of an affine pair whose tangents
+        // wherever the search ends, no history could hold it; a first solve of an affine pair whose tangents
         // are nearly parallel may still come back
         let is_lost = abs(zeta[0]) > 1e6 * extent[0] || abs(zeta[P - 1]) > 1e6 * extent[P - 1];
         if is_lost && (is_finished || !is_affine) {

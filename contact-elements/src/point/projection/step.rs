@@ -111,7 +111,7 @@ pub(crate) fn tangents<const D: usize, const P: usize>(
     Ok((squares, determinant))
 }
 
-/// Whether there is a normal: at a corner where nodes coincide there is none. Off the fast path, so shared.
+/// Whether there is a normal: at a corner where nodes coincide it does not exist. Off the fast path, so shared.
 #[inline(never)]
 pub(crate) fn have_normal<const D: usize, const P: usize>(
     b: &[[f64; D]; P],

@@ -5,11 +5,13 @@
 #![forbid(unsafe_code)]
 
 pub mod abi;
+pub mod circles;
 pub mod committed;
 pub mod compiler;
 pub mod documents;
 pub mod header;
 pub mod library;
+mod paths;
 pub mod process;
 
 use std::path::PathBuf;

@@ -5,6 +5,7 @@ mod export;
 mod foot;
 mod fortran77;
 mod geometries;
+mod history;
 mod laws;
 mod project;
 mod transfer;

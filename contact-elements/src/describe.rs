@@ -4,8 +4,6 @@ use crate::codes::{argument, kind};
 use crate::descriptor::Descriptor;
 use crate::error::Error;
 use crate::evaluation::inputs;
-use crate::point::history::HistoryLayout;
-use crate::point::values::Status;
 use crate::registered::Registered;
 
 /// The number of an element in a list, by its name.
@@ -34,19 +32,7 @@ pub fn initial_history(element: &Descriptor, history: &mut [f64]) -> Result<(), 
     let history = history.ok_or(Error::missing(argument::HISTORY_TRIAL))?;
     let layout = element.history_layout();
     for own in history.chunks_exact_mut(layout.size()) {
-        own.fill(0.0);
-        let mut put = |entry: usize, value: f64| {
-            if let Some(to) = own.get_mut(entry) {
-                *to = value;
-            }
-        };
-        put(HistoryLayout::STATUS, f64::from(Status::Open as i32));
-        for (i, &centre) in element.centre.iter().take(layout.projected).enumerate() {
-            put(HistoryLayout::PROJECTION + i, centre);
-            if element.friction {
-                put(layout.anchor_at() + i, centre);
-            }
-        }
+        layout.begin(element.centre, own);
     }
     Ok(())
 }

@@ -6,7 +6,6 @@ use crate::descriptor::Descriptor;
 use crate::element::gather::{Coordinates, Nodes};
 use crate::error::Error;
 use crate::evaluation::inputs::{check_parameters, check_reach, node_counts};
-use crate::point::history::HistoryLayout;
 use crate::search::{Closest, Gathered, closest, declared};
 
 /// Inputs of a global projection.
@@ -124,23 +123,11 @@ pub(crate) fn closest_of(
 
 /// Makes `entries` the initial history of a point at its closest point.
 pub(crate) fn start(element: &Descriptor, closest: &Closest, entries: &mut [f64]) {
-    let layout = element.history_layout();
     // a foot so far away that no evaluation accepts it is not used as start
-    let at = |i: usize| {
+    let zeta = core::array::from_fn(|i| {
         let (zeta, centre) = (closest.zeta.get(i), element.centre.get(i));
         let zeta = zeta.filter(|&&zeta| element.reach().can_be_projection(i, zeta));
         zeta.or(centre).copied().unwrap_or(0.0)
-    };
-    entries.fill(0.0);
-    let mut put = |entry: usize, value: f64| {
-        if let Some(to) = entries.get_mut(entry) {
-            *to = value;
-        }
-    };
-    for i in 0..element.projected {
-        put(HistoryLayout::PROJECTION + i, at(i));
-        if element.friction {
-            put(layout.anchor_at() + i, at(i));
-        }
-    }
+    });
+    element.history_layout().begin(zeta, entries);
 }

@@ -82,6 +82,16 @@ impl HistoryLayout {
         self.multiplier_at() + self.multiplier
     }
 
+    /// Makes `to` the initial history of a point whose projection is `zeta`; with friction it is the anchor too.
+    pub(crate) fn begin(&self, zeta: [f64; 2], to: &mut [f64]) {
+        to.fill(0.0);
+        let anchor = (self.slip > 0).then_some(self.anchor_at());
+        for begin in [Some(Self::PROJECTION), anchor].into_iter().flatten() {
+            let own = to.iter_mut().skip(begin).take(self.projected);
+            own.zip(zeta).for_each(|(to, zeta)| *to = zeta);
+        }
+    }
+
     /// Refuses a history, of any number of points, that no evaluation can have written.
     #[inline(always)]
     pub(crate) fn check(&self, reach: &Reach, history: &History<'_>) -> Result<(), Refused> {

@@ -1,7 +1,7 @@
 //! A history of zeros is a beginning of every built-in element: the outputs have the bits of those with the initial
 //! history, and of those without a history.
 
-use contact_elements::abi::{code, element_history_init};
+use contact_elements::{code, initial_history};
 use contact_verify::configurations::{Configuration, Generator, Wanted as State};
 use contact_verify::subject::{self, Answer, Input, Subject, Wanted};
 
@@ -11,9 +11,7 @@ const STATES: u64 = 3;
 fn initial(subject: &Subject) -> Vec<f64> {
     let descriptor = subject.description.descriptor;
     let mut history = vec![f64::NAN; descriptor.history()];
-    // SAFETY: the element is static, and the history has its length.
-    let code = unsafe { element_history_init(descriptor, history.as_mut_ptr()) };
-    assert_eq!(code, code::SUCCESS);
+    initial_history(descriptor, &mut history).expect("room for the history");
     history
 }
 
@@ -64,10 +62,12 @@ fn zeros_are_a_beginning_of_every_element() {
             for index in 0..STATES {
                 let state = generator.generate(wanted, index).expect("a state");
                 let of_zeros = evaluate(subject, &state, &zeros);
-                let outcome = of_zeros.outcome.expect("an outcome");
                 let name = subject.name();
-                assert!(outcome.code >= 0, "{name}, state {index}: {outcome:?}");
-                closed += outcome.closed;
+                // a state may be too far from the centre, a fault of the history it is not
+                match of_zeros.outcome.expect("an outcome") {
+                    Ok(summary) => closed += summary.closed,
+                    Err(error) => assert_eq!(error.code, code::CUT_BACK, "{name}, state {index}"),
+                }
                 let others = [("initial history", &initial[..]), ("no history", &[])];
                 for (what, history) in others {
                     let other = evaluate(subject, &state, history);

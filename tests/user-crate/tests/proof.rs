@@ -13,9 +13,9 @@ use contact_verify::oracle::geometry::{
 use contact_verify::oracle::law::{Activity, DeclaredLaw, Law};
 use contact_verify::oracle::number::Number;
 use contact_verify::oracle::multiplier::Multipliers;
-use contact_verify::oracle::pair::{GapKind, IntegrationPoint, Master, Measure, Pair, Row, Slave};
-use contact_verify::oracle::pair::Rolling;
-use contact_verify::oracle::pair::{Tangential};
+use contact_verify::oracle::pair::{
+    GapKind, IntegrationPoint, Master, Measure, Pair, Rolling, Row, Slave, Tangential,
+};
 use contact_verify::oracle::tangential::{DeclaredTangential, TangentialLaw};
 use contact_verify::subject::Subject;
 use num_dual::DualNum;

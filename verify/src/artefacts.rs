@@ -5,6 +5,9 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use contact_generator::expand::LIBRARY_ELEMENTS;
+use contact_verify::pages::{Declarations, Equations, Quotes};
+
 /// Bytes of emitted Rust source per element.
 pub type Sizes = BTreeMap<String, usize>;
 
@@ -21,6 +24,28 @@ pub fn generated_sources(output: &Path) -> Result<Sizes, Box<dyn std::error::Err
         sizes.insert(element.name.to_string(), text.len());
     }
     Ok(sizes)
+}
+
+/// Declarations of the built-in elements, and the equations of the documentation, for the pages.
+pub fn quotes() -> std::io::Result<Quotes> {
+    let mut equations = Equations::default();
+    let folder = root().join("docs/theory");
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        let page = path.file_name().unwrap_or_default().to_string_lossy();
+        if page.ends_with(".md") {
+            equations.add(&page, &std::fs::read_to_string(&path)?);
+        }
+    }
+    Ok(Quotes {
+        declarations: Declarations::read(&LIBRARY_ELEMENTS.concat()),
+        equations,
+    })
+}
+
+/// Folder of the workspace.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
 /// Where the files of the C library lie.
@@ -42,9 +67,8 @@ impl fmt::Display for Artefacts {
 
 /// Builds the C library and copies it with its headers to `output`.
 pub fn c_library(output: &Path) -> Result<Artefacts, Box<dyn std::error::Error>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let root = root();
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_string());
-    println!("building the C library");
     let messages = Command::new(cargo)
         .args([
             "build",

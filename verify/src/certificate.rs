@@ -1,16 +1,24 @@
-//! The result: a table for people, JSON for machines.
+//! The result: what was proven of every element, and of all of them together.
 
-use comfy_table::{Cell, CellAlignment, Table, presets};
+mod text;
+
+use contact_elements::program::{
+    ElementDescription, GeometryPrograms, MasterDescription, Program, SlaveDescription,
+};
 use serde::Serialize;
 
+use crate::progress::Stage;
 use crate::proof::Finding;
 use crate::proof::global::Global;
+use crate::proof::hardest::Hardest;
 use crate::proof::invariance::Invariance;
 use crate::proof::mutation::Mutants;
-use crate::proof::random::Random;
+use crate::proof::random::{Random, RandomStates};
 use crate::proof::reference::CaseResult;
 use crate::proof::sequences::Sequences;
 use crate::proof::slopes::Slopes;
+use crate::proof::statistics::Reached;
+use crate::subject::Subject;
 
 /// What was proven of one element.
 #[derive(Clone, Debug, Serialize)]
@@ -23,16 +31,13 @@ pub struct ElementCertificate {
     pub operations: usize,
     /// Bytes of the emitted Rust source.
     pub source_bytes: usize,
-    /// Random states built to be closed; without friction.
-    pub closed: Option<Random>,
-    /// Random states built to stick; with friction.
-    pub stick: Option<Random>,
-    /// Random states built to slip; with friction and a bound.
-    pub slip: Option<Random>,
-    /// Random states built to be open.
-    pub open: Option<Random>,
-    /// Random states built to lie outside; empty where there is no boundary.
-    pub outside: Option<Random>,
+    /// False for elements that give a residual only.
+    pub has_tangent: bool,
+    /// Programs of the element, with the operations of each.
+    pub programs: Vec<ProgramCost>,
+    /// Random states.
+    #[serde(flatten)]
+    pub random: RandomStates,
     /// Sequences of steps; with friction.
     pub sequences: Option<Sequences>,
     /// Symmetry, balance, motion, units.
@@ -47,18 +52,36 @@ pub struct ElementCertificate {
     pub mutants: Mutants,
 }
 
+/// Operations of one program.
+#[derive(Clone, Debug, Serialize)]
+pub struct ProgramCost {
+    /// Whose program it is: the element, or the name of a geometry or law.
+    pub owner: &'static str,
+    /// Name of the program.
+    pub program: &'static str,
+    /// Arithmetic operations of one call.
+    pub operations: usize,
+}
+
 impl ElementCertificate {
-    /// Random states by the status they were built for.
-    pub fn random(&self) -> impl Iterator<Item = (&'static str, &Random)> {
-        let all = [
-            ("closed", &self.closed),
-            ("stick", &self.stick),
-            ("slip", &self.slip),
-            ("open", &self.open),
-            ("outside", &self.outside),
-        ];
-        all.into_iter()
-            .filter_map(|(what, random)| Some((what, random.as_ref()?)))
+    /// The certificate of an element with its random states; the other kinds of evidence are still missing.
+    pub fn new(subject: &Subject, source_bytes: usize, random: RandomStates) -> Self {
+        let descriptor = subject.description.descriptor;
+        Self {
+            name: subject.name().to_string(),
+            unknowns: subject.template.unknowns(),
+            operations: descriptor.operations,
+            source_bytes,
+            has_tangent: descriptor.tangent,
+            programs: programs(subject.description),
+            random,
+            sequences: None,
+            invariance: Invariance::default(),
+            global: None,
+            sides: None,
+            slopes: None,
+            mutants: Mutants::default(),
+        }
     }
 
     /// What was found beside the random states.
@@ -77,14 +100,15 @@ impl ElementCertificate {
 
     /// Failures of all kinds.
     pub fn failed(&self) -> u64 {
-        let random: u64 = self.random().map(|(_, r)| r.finding.failed).sum();
+        let random: u64 = self.random.iter().map(|(_, r)| r.finding.failed).sum();
         let others: u64 = self.others().map(|finding| finding.failed).sum();
         random + others + self.mutants.survivors.len() as u64
     }
 
-    fn failures(&self) -> Vec<String> {
+    /// The first failures of every kind in words.
+    pub fn failures(&self) -> Vec<String> {
         let mut lines: Vec<String> = self.mutants.survivors.clone();
-        for (what, random) in self.random() {
+        for (what, random) in self.random.iter() {
             let failures = random.finding.failures.iter();
             lines.extend(failures.map(|failure| format!("{what}: {failure}")));
         }
@@ -92,13 +116,14 @@ impl ElementCertificate {
         lines
     }
 
-    fn states(&self) -> u64 {
-        self.random().map(|(_, r)| r.finding.tried).sum()
+    /// Random states tried.
+    pub fn states(&self) -> u64 {
+        self.random.iter().map(|(_, r)| r.finding.tried).sum()
     }
 
     /// Random states with load, and those built to lie outside, some points of which carry load too.
     fn loaded(&self) -> impl Iterator<Item = (&'static str, &Random)> {
-        self.random().filter(|(what, _)| *what != "open")
+        self.random.iter().filter(|(what, _)| *what != "open")
     }
 
     /// Largest error of residual, tangent and energy over all states with load.
@@ -112,8 +137,17 @@ impl ElementCertificate {
         worst
     }
 
+    /// Largest error of the tangent in words: tangent-plane elements are judged by the order of the error instead.
+    pub fn tangent_error(&self) -> String {
+        match (&self.slopes, self.has_tangent) {
+            (Some(_), _) => "orders".to_string(),
+            (None, true) => format!("{:.1e}", self.worst().1),
+            (None, false) => "none".to_string(),
+        }
+    }
+
     /// Status and number of the state with the largest error of residual or tangent.
-    fn worst_state(&self) -> String {
+    pub fn worst_state(&self) -> String {
         let errors = self
             .loaded()
             .flat_map(|(what, random)| [(what, &random.residual), (what, &random.tangent)]);
@@ -145,167 +179,144 @@ pub struct Certificate {
     pub reference_cases: Vec<CaseResult>,
     /// Statuses, features, return codes.
     pub coverage: Finding,
+    /// Time of every stage.
+    pub stages: Vec<Stage>,
 }
 
 impl Certificate {
     /// Failures of all kinds.
     pub fn failed(&self) -> u64 {
         let elements: u64 = self.elements.iter().map(ElementCertificate::failed).sum();
-        let whole = [&self.tables, &self.edges, &self.reference, &self.coverage];
+        let whole = self.whole();
         elements + whole.iter().map(|finding| finding.failed).sum::<u64>()
     }
 
-    /// The certificate as text.
-    pub fn to_text(&self) -> String {
-        let mut text = format!("{}\n\n", self.table());
-        text.push_str(&self.summary());
-        for element in &self.elements {
-            for failure in element.failures() {
-                text.push_str(&format!("FAILED {}: {failure}\n", element.name));
-            }
-        }
-        for finding in [&self.tables, &self.edges, &self.reference, &self.coverage] {
-            for failure in &finding.failures {
-                text.push_str(&format!("FAILED {failure}\n"));
-            }
-        }
-        text
+    /// What was judged for all elements together.
+    pub fn whole(&self) -> [&Finding; 4] {
+        [&self.tables, &self.edges, &self.reference, &self.coverage]
     }
 
-    fn table(&self) -> Table {
-        let mut table = Table::new();
-        table.load_style(presets::ASCII_MARKDOWN);
-        table.set_header([
-            "element",
-            "unknowns",
-            "ops",
-            "source kB",
-            "states",
-            "error R",
-            "error K",
-            "at state",
-            "mutants",
-            "terms left out",
-            "verdict",
-        ]);
+    /// The states with the largest errors of every element and status.
+    pub fn hardest(&self) -> Hardest {
+        let mut hardest = Hardest::default();
         for element in &self.elements {
-            table.add_row(row(element));
-        }
-        for index in 1..9 {
-            if let Some(column) = table.column_mut(index) {
-                column.set_cell_alignment(CellAlignment::Right);
+            for (status, random) in element.random.iter() {
+                let worst = [
+                    &random.residual,
+                    &random.tangent,
+                    &random.energy,
+                    &random.points,
+                ];
+                for worst in worst.into_iter().filter(|worst| worst.error > 0.0) {
+                    hardest.add(&element.name, status, worst.state);
+                }
             }
         }
-        table
+        hardest
     }
 
-    fn summary(&self) -> String {
-        let made: u64 = self.elements.iter().map(|e| e.mutants.made).sum();
-        let killed: u64 = self.elements.iter().map(|e| e.mutants.killed).sum();
-        let states: u64 = self.elements.iter().map(ElementCertificate::states).sum();
-        let (mut r, mut k) = (0.0_f64, 0.0_f64);
-        for element in &self.elements {
-            let worst = element.worst();
-            (r, k) = (r.max(worst.0), k.max(worst.1));
-        }
-        let share =
-            |finding: &Finding| format!("{} of {}", finding.tried - finding.failed, finding.tried);
-        let mut text = format!(
-            "{} elements, {states} random states ({} per element and status, seed {})\n\
-             largest relative error: residual {r:.1e}, tangent {k:.1e}\n\
-             mutants noticed: {killed} of {made}\n\
-             tables against emitted code and duals: {}\nedge cases: {}\n\
-             reference cases within {} spreads or {:.0e}: {}\nbranches of the interface and kernels: {}\n",
-            self.elements.len(),
-            self.states,
-            self.seed,
-            share(&self.tables),
-            share(&self.edges),
-            crate::tolerance::REFERENCE_SPREADS,
-            crate::tolerance::REFERENCE,
-            share(&self.reference),
-            share(&self.coverage),
-        );
-        text.push_str(&self.sequence_line());
-        for element in &self.elements {
-            if let Some(slopes) = &element.slopes {
-                text.push_str(&slope_line(&element.name, slopes));
-            }
-        }
-        let verdict = match self.failed() {
-            0 => "PROVEN: every comparison within its tolerance".to_string(),
-            n => format!("NOT PROVEN: {n} comparisons failed"),
+    /// Mutants killed and made.
+    pub fn mutants(&self) -> (u64, u64) {
+        let all = self.elements.iter().map(|element| &element.mutants);
+        all.fold((0, 0), |(killed, made), m| {
+            (killed + m.killed, made + m.made)
+        })
+    }
+
+    /// Largest errors of residual and tangent.
+    pub fn worst(&self) -> (f64, f64) {
+        let all = self.elements.iter().map(ElementCertificate::worst);
+        all.fold((0.0, 0.0), |(r, k), worst| (r.max(worst.0), k.max(worst.1)))
+    }
+
+    /// The same, with the states after which they were reached, over all elements and statuses.
+    pub fn growth(&self) -> Vec<Reached> {
+        let all = || {
+            self.elements
+                .iter()
+                .flat_map(|element| element.random.iter())
         };
-        text.push_str(&format!("{verdict}\n"));
-        text
+        let mut growth: Vec<Reached> = vec![];
+        for reached in all().flat_map(|(_, random)| &random.growth) {
+            match growth
+                .iter_mut()
+                .find(|known| known.states == reached.states)
+            {
+                None => growth.push(*reached),
+                Some(known) => {
+                    known.residual = known.residual.max(reached.residual);
+                    known.tangent = known.tangent.max(reached.tangent);
+                }
+            }
+        }
+        growth
     }
 }
 
-impl Certificate {
-    fn sequence_line(&self) -> String {
-        let found = || self.elements.iter().filter_map(|e| e.sequences.as_ref());
-        let steps: u64 = found().map(|s| s.finding.tried).sum();
-        let failed: u64 = found().map(|s| s.finding.failed).sum();
-        let worst = found().map(|s| s.worst.error).fold(0.0, f64::max);
-        format!(
-            "steps of frictional sequences: {} of {steps}, largest error {worst:.1e}\n",
-            steps - failed
-        )
+/// The programs of an element, those of its geometries and laws among them.
+fn programs(element: &'static ElementDescription) -> Vec<ProgramCost> {
+    let cost = |owner: &'static str| {
+        move |program: &Program| ProgramCost {
+            owner,
+            program: program.name,
+            operations: program.cost,
+        }
+    };
+    let own = element.programs;
+    let optional = [
+        &own.tangent,
+        &own.measure,
+        &own.frame,
+        &own.tangential_residual,
+        &own.tangential_tangent,
+    ];
+    let rolling = element.rolling.map(|rolling| {
+        let tangent = rolling.tangent.as_ref();
+        [Some(&rolling.angle), Some(&rolling.residual), tangent]
+    });
+    let angle = element.angle.map(|angle| {
+        let tangent = angle.tangent.as_ref();
+        let always = [&angle.position, &angle.weight, &angle.residual].map(Some);
+        [always[0], always[1], always[2], tangent]
+    });
+    let own = [Some(&own.gap)].into_iter();
+    let own = own
+        .chain(optional.into_iter().map(Option::as_ref))
+        .chain(rolling.into_iter().flatten())
+        .chain(angle.into_iter().flatten());
+    let mut list: Vec<ProgramCost> = own.flatten().map(cost("element")).collect();
+    for geometry in geometries(element) {
+        let third = geometry
+            .third
+            .as_ref()
+            .filter(|_| element.tangential.is_some());
+        let programs = [Some(&geometry.values), third].into_iter().flatten();
+        list.extend(programs.map(cost(geometry.name)));
     }
+    list.push(cost(element.law.name)(&element.law.law));
+    let rolling = element.rolling.map(|rolling| rolling.law);
+    for law in element.tangential.into_iter().chain(rolling) {
+        let programs = [Some(&law.friction), law.sliding.as_ref()];
+        list.extend(programs.into_iter().flatten().map(cost(law.name)));
+    }
+    list
 }
 
-fn row(element: &ElementCertificate) -> Vec<Cell> {
-    let (residual, tangent, _) = element.worst();
-    let has_tangent = element.slopes.is_none() && !element.name.ends_with("Residual");
-    let left_out: Vec<&str> = element
-        .mutants
-        .left_out
-        .iter()
-        .map(|(tag, _)| tag.as_str())
-        .collect();
-    let tangent = match (&element.slopes, has_tangent) {
-        (Some(_), _) => "see orders".to_string(),
-        (None, true) => format!("{tangent:.1e}"),
-        (None, false) => "none".to_string(),
+/// The geometries of an element, each once.
+fn geometries(element: &'static ElementDescription) -> Vec<&'static GeometryPrograms> {
+    let slave = match &element.slave {
+        SlaveDescription::Point | SlaveDescription::Interpolated => None,
+        SlaveDescription::Projected(geometry)
+        | SlaveDescription::Integrated(geometry, _)
+        | SlaveDescription::Given(geometry) => Some(*geometry),
     };
-    let verdict = match element.failed() {
-        0 => "proven".to_string(),
-        n => format!("{n} FAILED"),
+    let master = match &element.master {
+        MasterDescription::Point => None,
+        MasterDescription::Shape(geometry)
+        | MasterDescription::Rigid(geometry)
+        | MasterDescription::Distance(geometry) => Some(*geometry),
     };
-    vec![
-        Cell::new(&element.name),
-        Cell::new(element.unknowns),
-        Cell::new(element.operations),
-        Cell::new(element.source_bytes.div_ceil(1000)),
-        Cell::new(element.states()),
-        Cell::new(format!("{residual:.1e}")),
-        Cell::new(tangent),
-        Cell::new(element.worst_state()),
-        Cell::new(format!(
-            "{}/{}",
-            element.mutants.killed, element.mutants.made
-        )),
-        Cell::new(left_out.join(" ")),
-        Cell::new(verdict),
-    ]
-}
-
-fn slope_line(name: &str, slopes: &Slopes) -> String {
-    let range = |range: Option<(f64, f64)>| match range {
-        Some((low, high)) => format!("{low:.3} to {high:.3}"),
-        None => "not defined (r0 > 0)".to_string(),
-    };
-    let mut line = format!(
-        "{name}: order of the error in L: D²g {}, whole tangent {}",
-        range(slopes.hessian),
-        range(slopes.tangent)
-    );
-    if slopes.friction.is_some() {
-        let (tangent, moment) = (range(slopes.friction), range(slopes.moment));
-        line.push_str(&format!(
-            "; with friction: tangent {tangent}, balance of moment {moment}"
-        ));
-    }
-    line.push('\n');
-    line
+    let is_new =
+        |geometry: &&GeometryPrograms| slave.is_none_or(|slave| slave.name != geometry.name);
+    slave.into_iter().chain(master.filter(is_new)).collect()
 }

@@ -18,6 +18,8 @@ pub mod configurations;
 pub mod interpret;
 pub mod measure;
 pub mod oracle;
+pub mod pages;
+pub mod progress;
 pub mod proof;
 pub mod subject;
 pub mod tolerance;

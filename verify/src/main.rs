@@ -10,6 +10,8 @@ use clap::{Args, Parser, Subcommand};
 use contact_verify::certify::{Extent, certify};
 use contact_verify::measure::projections::{self, Length};
 use contact_verify::measure::stress;
+use contact_verify::pages;
+use contact_verify::progress::Progress;
 use contact_verify::subject::{self, Subject};
 
 /// Generates the contact elements, builds the C library and proves every element.
@@ -33,6 +35,9 @@ struct Options {
     /// Folder for libraries, headers, generated sources and the certificate.
     #[arg(long, default_value = "target/contact-elements")]
     output: PathBuf,
+    /// Write the states with the largest errors to this file, as `verify/data/hardest_states.csv`.
+    #[arg(long, value_name = "FILE")]
+    hardest: Option<PathBuf>,
     /// Do not build the C library.
     #[arg(long)]
     no_library: bool,
@@ -99,14 +104,17 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
-    let sizes = artefacts::generated_sources(&options.output)?;
+    let mut progress = Progress::default();
+    let output = &options.output;
+    let sizes = progress.stage("emitted sources", || artefacts::generated_sources(output))?;
     let artefacts = if options.no_library {
         None
     } else {
-        Some(artefacts::c_library(&options.output)?)
+        Some(progress.stage("C library", || artefacts::c_library(output))?)
     };
     let subjects = subjects(&options.element)?;
     let certificate = certify(
+        &mut progress,
         &subjects,
         &Extent {
             states: if options.long {
@@ -119,13 +127,16 @@ fn run(options: &Options) -> Result<bool, Box<dyn std::error::Error>> {
         },
         &sizes,
     );
-    let text = certificate.to_text();
-    println!("{text}");
-    std::fs::create_dir_all(&options.output)?;
-    std::fs::write(options.output.join("certificate.txt"), &text)?;
-    let json = options.output.join("certificate.json");
-    std::fs::write(&json, serde_json::to_string_pretty(&certificate)?)?;
-    println!("certificate        {}", json.display());
+    println!("{}", certificate.to_short_text());
+    std::fs::create_dir_all(output)?;
+    std::fs::write(output.join("certificate.txt"), certificate.to_text())?;
+    let json = serde_json::to_string_pretty(&certificate)?;
+    std::fs::write(output.join("certificate.json"), json)?;
+    if let Some(file) = &options.hardest {
+        std::fs::write(file, certificate.hardest().to_csv())?;
+    }
+    let page = pages::write(&certificate, &artefacts::quotes()?, output)?;
+    println!("certificate        {}", page.display());
     if let Some(artefacts) = artefacts {
         print!("{artefacts}");
     }

@@ -17,6 +17,7 @@ use contact_verify::oracle::pair::{
     GapKind, IntegrationPoint, Master, Measure, Pair, Rolling, Row, Slave, Tangential,
 };
 use contact_verify::oracle::tangential::{DeclaredTangential, TangentialLaw};
+use contact_verify::progress::Progress;
 use contact_verify::subject::Subject;
 use num_dual::DualNum;
 
@@ -286,6 +287,6 @@ fn every_element_is_exact() {
         seed: 1,
         library: false,
     };
-    let certificate = certify(&subjects, &extent, &BTreeMap::new());
+    let certificate = certify(&mut Progress::default(), &subjects, &extent, &BTreeMap::new());
     assert_eq!(certificate.failed(), 0, "{}", certificate.to_text());
 }

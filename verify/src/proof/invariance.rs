@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Finding, Worst, random, units};
+use super::{Finding, Worst, errors, random, units};
 use crate::configurations::{Configuration, Stream, Wanted};
 use crate::oracle::geometry::Placement;
 use crate::oracle::pair::{Master, Pair};
@@ -231,7 +231,7 @@ fn motion(
         ));
     }
     let expected = turned_couplings(&answer.couplings, n, &turn);
-    error = error.max(random::couplings_error(&found.couplings, &expected));
+    error = error.max(errors::couplings_error(&found.couplings, &expected));
     result.motion.absorb(error, index);
     result.finding.compare("rigid motion", error, MOTION);
 }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `tables` | tables agree with the emitted code bit for bit; derivatives in them with duals |
 //! | `random`, `points` | residual, tangent, energy, output and trial history of every contact point over random states against the oracle |
+//! | `statistics`, `hardest` | how errors are distributed; the states of a long run that had the largest ones |
 //! | `sequences` | steps of frictional contact, element and oracle each with its own history |
 //! | `edges` | states where elements tend to fail |
 //! | `reference` | cases of 25 digits from a third program |
@@ -17,7 +18,9 @@
 pub mod cases;
 pub mod coverage;
 pub mod edges;
+mod errors;
 pub mod global;
+pub mod hardest;
 pub mod interpreted;
 pub mod invariance;
 pub mod mutation;
@@ -27,33 +30,13 @@ pub mod reference;
 pub mod sequences;
 pub mod sides;
 pub mod slopes;
+pub mod statistics;
 pub mod tables;
 mod units;
 
+pub use statistics::Worst;
+
 use serde::Serialize;
-
-/// The worst error of a comparison and where it was found.
-#[derive(Clone, Debug, Default, Serialize)]
-pub struct Worst {
-    /// Relative error.
-    pub error: f64,
-    /// Number of the state.
-    pub state: u64,
-}
-
-impl Worst {
-    /// Keeps the larger of two.
-    pub fn absorb(&mut self, error: f64, state: u64) {
-        if error > self.error || error.is_nan() {
-            *self = Self { error, state };
-        }
-    }
-
-    /// Keeps the larger of two.
-    pub fn merge(&mut self, other: &Self) {
-        self.absorb(other.error, other.state);
-    }
-}
 
 /// Failures are listed up to this number; all are counted.
 const LISTED: usize = 5;

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::interpreted::{self, Interpreted, Mutation, TermSite};
 use super::slopes;
-use super::{Finding, random};
+use super::{Finding, errors, random};
 use crate::configurations::{Configuration, Wanted};
 use crate::interpret::Change;
 use crate::oracle::solve::{self, Evaluation};
@@ -26,12 +26,103 @@ pub struct Mutants {
     pub killed: u64,
     /// Mutants that lived.
     pub survivors: Vec<String>,
-    /// Terms present, by equation tag.
-    pub terms: Vec<String>,
-    /// Terms that vanish identically: tag and reason.
-    pub left_out: Vec<(String, String)>,
+    /// Every term of every program.
+    pub terms: Vec<TermResult>,
+    /// Mutants noticed by the first state, by the second one that was looked at, and so on.
+    pub killed_by_state: Vec<u64>,
     /// The unchanged tables against the compiled element.
     pub unchanged: Finding,
+}
+
+/// What became of one term.
+#[derive(Clone, Debug, Serialize)]
+pub struct TermResult {
+    /// Program that holds the term.
+    pub program: &'static str,
+    /// Equation tag.
+    pub tag: &'static str,
+    /// Why the term is left out; `None` where it is present.
+    pub left_out: Option<&'static str>,
+    /// Mutants made.
+    pub made: u64,
+    /// Mutants that the comparison noticed.
+    pub killed: u64,
+}
+
+impl Mutants {
+    /// Tags of the terms that are left out.
+    pub fn left_out(&self) -> impl Iterator<Item = &'static str> {
+        let terms = self.terms.iter().filter(|term| term.left_out.is_some());
+        terms.map(|term| term.tag)
+    }
+
+    /// Judges the three mutants of a term that is present.
+    fn judge(
+        &mut self,
+        subject: &Subject,
+        cases: &[Case],
+        mutated: &Site,
+        seed: u64,
+    ) -> TermResult {
+        let mut result = mutated.result(None);
+        for (name, factor) in FACTORS {
+            result.made += 1;
+            match noticed(subject, cases, mutated.mutation(factor), seed) {
+                Noticed::By(state) => {
+                    result.killed += 1;
+                    let length = self.killed_by_state.len().max(state + 1);
+                    self.killed_by_state.resize(length, 0);
+                    self.killed_by_state[state] += 1;
+                }
+                Noticed::BySlopes => result.killed += 1,
+                Noticed::Never => {
+                    let line = format!("{}: {} {name}", subject.name(), mutated.tag);
+                    self.survivors.push(line);
+                }
+            }
+        }
+        self.made += result.made;
+        self.killed += result.killed;
+        result
+    }
+}
+
+/// A term in its program.
+struct Site {
+    site: TermSite,
+    term: usize,
+    program: &'static str,
+    tag: &'static str,
+}
+
+impl Site {
+    fn mutation(&self, factor: f64) -> Mutation {
+        let change = Change {
+            term: self.term,
+            factor,
+        };
+        (self.site, change)
+    }
+
+    fn result(&self, left_out: Option<&'static str>) -> TermResult {
+        TermResult {
+            program: self.program,
+            tag: self.tag,
+            left_out,
+            made: 0,
+            killed: 0,
+        }
+    }
+}
+
+/// What noticed a mutant.
+enum Noticed {
+    /// The state with this number.
+    By(usize),
+    /// The error orders of a tangent-plane element.
+    BySlopes,
+    /// Nothing: it lives.
+    Never,
 }
 
 /// A state with the truth and the compiled answer.
@@ -76,7 +167,7 @@ impl Case {
             energy_size,
             ..
         } = self.truth;
-        random::relative_energy(&[found.energy], energy, energy_size)
+        errors::relative_energy(&[found.energy], energy, energy_size)
     }
 
     /// Does the comparison that judges the compiled element notice a difference?
@@ -94,18 +185,7 @@ impl Case {
 /// Makes and judges every mutant of an element.
 pub fn prove(subject: &Subject, seed: u64) -> Mutants {
     let mut mutants = Mutants::default();
-    let generator = random::generator(subject, seed);
-    let wanted: &[Wanted] = match &subject.template.tangential {
-        None => &[Wanted::Closed],
-        Some(_) => &[Wanted::Stick, Wanted::Slip],
-    };
-    let states = wanted
-        .iter()
-        .flat_map(|&w| (0..STATES).map(move |index| (w, index)));
-    let cases: Vec<Case> = states
-        .filter_map(|(wanted, index)| generator.generate(wanted, index).ok())
-        .filter_map(|configuration| Case::new(subject, configuration))
-        .collect();
+    let cases = cases(subject, seed);
     for case in &cases {
         unchanged(&mut mutants, subject, case);
     }
@@ -114,47 +194,63 @@ pub fn prove(subject: &Subject, seed: u64) -> Mutants {
             continue;
         };
         for (term, declared) in program.terms.iter().enumerate() {
-            if !declared.present {
-                let entry = (declared.tag.to_string(), declared.reason.to_string());
-                mutants.left_out.push(entry);
-                continue;
-            }
-            if let Some(reason) = unused(subject, site, declared.tag) {
-                let entry = (declared.tag.to_string(), reason.to_string());
-                mutants.left_out.push(entry);
-                continue;
-            }
-            let changed = |factor| (site, Change { term, factor });
-            if let Some(reason) = may_vanish(declared.tag)
-                && FACTORS
-                    .iter()
-                    .all(|&(_, factor)| !changes(subject, &cases, changed(factor)))
-            {
-                let entry = (declared.tag.to_string(), reason.to_string());
-                mutants.left_out.push(entry);
-                continue;
-            }
-            mutants.terms.push(declared.tag.to_string());
-            for (name, factor) in FACTORS {
-                mutants.made += 1;
-                if noticed(subject, &cases, changed(factor), seed) {
-                    mutants.killed += 1;
-                } else {
-                    let line = format!("{}: {} {name}", subject.name(), declared.tag);
-                    mutants.survivors.push(line);
-                }
-            }
+            let mutated = Site {
+                site,
+                term,
+                program: program.name,
+                tag: declared.tag,
+            };
+            let left_out = if declared.present {
+                idle(subject, &cases, &mutated)
+            } else {
+                Some(declared.reason)
+            };
+            let result = match left_out {
+                Some(reason) => mutated.result(Some(reason)),
+                None => mutants.judge(subject, &cases, &mutated, seed),
+            };
+            mutants.terms.push(result);
         }
     }
     mutants
 }
 
-fn noticed(subject: &Subject, cases: &[Case], mutation: Mutation, seed: u64) -> bool {
-    cases
+/// The states on which the mutants of an element may be noticed.
+fn cases(subject: &Subject, seed: u64) -> Vec<Case> {
+    let generator = random::generator(subject, seed);
+    let wanted: &[Wanted] = match &subject.template.tangential {
+        None => &[Wanted::Closed],
+        Some(_) => &[Wanted::Stick, Wanted::Slip],
+    };
+    let states = wanted
         .iter()
-        .any(|case| case.notices(subject, &case.interpreted(subject, Some(mutation))))
-        || (subject.description.tangent_plane
-            && slopes::prove(subject, seed, Some(mutation)).finding.failed > 0)
+        .flat_map(|&w| (0..STATES).map(move |index| (w, index)));
+    states
+        .filter_map(|(wanted, index)| generator.generate(wanted, index).ok())
+        .filter_map(|configuration| Case::new(subject, configuration))
+        .collect()
+}
+
+/// Why a term of a program does nothing in this element, if it does nothing.
+fn idle(subject: &Subject, cases: &[Case], mutated: &Site) -> Option<&'static str> {
+    let vanishes = || {
+        let reason = may_vanish(mutated.tag)?;
+        let moves = |&(_, factor): &(_, f64)| changes(subject, cases, mutated.mutation(factor));
+        (!FACTORS.iter().any(moves)).then_some(reason)
+    };
+    unused(subject, mutated.site, mutated.tag).or_else(vanishes)
+}
+
+fn noticed(subject: &Subject, cases: &[Case], mutation: Mutation, seed: u64) -> Noticed {
+    let notices = |case: &Case| case.notices(subject, &case.interpreted(subject, Some(mutation)));
+    if let Some(state) = cases.iter().position(notices) {
+        return Noticed::By(state);
+    }
+    let judged_by_slopes = subject.description.tangent_plane;
+    if judged_by_slopes && slopes::prove(subject, seed, Some(mutation)).finding.failed > 0 {
+        return Noticed::BySlopes;
+    }
+    Noticed::Never
 }
 
 /// Why a term may vanish for a geometry although the program, which elements share, has it. It is left out only
@@ -235,7 +331,7 @@ fn unchanged(mutants: &mut Mutants, subject: &Subject, case: &Case) {
     };
     let energy = if subject.description.descriptor.energy {
         let expected = case.answer.energy.first().copied().unwrap_or(f64::NAN);
-        random::relative_energy(&[found.energy], expected, case.truth.energy_size)
+        errors::relative_energy(&[found.energy], expected, case.truth.energy_size)
     } else {
         0.0
     };

@@ -5,9 +5,12 @@ use contact_elements::runtime::Status;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::{Finding, Worst, points};
+use super::errors::{couplings_error, has_tangent, relative_energy, tangent_error};
+use super::hardest::Hardest;
+use super::statistics::{Histogram, Reached, Worst, milestones};
+use super::{Finding, points};
 use crate::configurations::{Configuration, Freedom, GenerateError, Generator, Stream, Wanted};
-use crate::oracle::solve::{self, Couplings, Evaluation, PointStatus};
+use crate::oracle::solve::{self, Evaluation, PointStatus};
 use crate::subject::{self, Answer, Input, Subject};
 use crate::tolerance::{ENERGY, POINTS, RANDOM, relative_error};
 
@@ -19,14 +22,20 @@ const DIRECTIONS: usize = 2;
 /// Results for one element and requested status.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Random {
-    /// Residual.
+    /// Worst error of the residual.
     pub residual: Worst,
-    /// Tangent; `None` for residual-only and tangent-plane elements.
+    /// Worst error of the tangent; zero for residual-only and tangent-plane elements.
     pub tangent: Worst,
-    /// Energy.
+    /// Worst error of the energy.
     pub energy: Worst,
-    /// Output and trial history of the contact points.
+    /// Worst error of output and trial history of the contact points.
     pub points: Worst,
+    /// Distribution of the errors of the residual.
+    pub residuals: Histogram,
+    /// Distribution of the errors of the tangent.
+    pub tangents: Histogram,
+    /// How the worst errors grew with the number of states.
+    pub growth: Vec<Reached>,
     /// Statuses that the element gave, by number.
     pub statuses: std::collections::BTreeMap<i32, u64>,
     /// Features beyond which projections lay.
@@ -41,6 +50,8 @@ impl Random {
         self.tangent.merge(&other.tangent);
         self.energy.merge(&other.energy);
         self.points.merge(&other.points);
+        self.residuals.merge(&other.residuals);
+        self.tangents.merge(&other.tangents);
         for (status, count) in other.statuses {
             *self.statuses.entry(status).or_default() += count;
         }
@@ -61,20 +72,94 @@ pub fn generator(subject: &Subject, seed: u64) -> Generator {
     }
 }
 
-/// Tries `states` states built for `wanted`; `None` where the pair cannot have that status.
-pub fn prove(subject: &Subject, wanted: Wanted, states: u64, seed: u64) -> Option<Random> {
-    let generator = generator(subject, seed);
+/// The random states of an element, by the status they were built for.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct RandomStates {
+    /// Closed; without friction.
+    pub closed: Option<Random>,
+    /// Sticking; with friction.
+    pub stick: Option<Random>,
+    /// Slipping; with friction and a bound.
+    pub slip: Option<Random>,
+    /// Open.
+    pub open: Option<Random>,
+    /// Outside; `None` where there is no boundary.
+    pub outside: Option<Random>,
+}
+
+impl RandomStates {
+    /// Name of the status and its states.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, &Random)> {
+        let all = [
+            ("closed", &self.closed),
+            ("stick", &self.stick),
+            ("slip", &self.slip),
+            ("open", &self.open),
+            ("outside", &self.outside),
+        ];
+        all.into_iter()
+            .filter_map(|(status, random)| Some((status, random.as_ref()?)))
+    }
+}
+
+/// How many states are tried.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice<'a> {
+    /// States of each status, from number 0 on.
+    pub states: u64,
+    /// States beyond these.
+    pub hardest: &'a Hardest,
+    /// Seed of the states.
+    pub seed: u64,
+}
+
+/// Tries the chosen states of every status that the pair can have.
+pub fn prove(subject: &Subject, choice: Choice<'_>) -> RandomStates {
+    let of = |wanted, status| one_status(subject, wanted, status, choice);
+    let has_friction = subject.template.tangential.is_some();
+    RandomStates {
+        closed: if has_friction {
+            None
+        } else {
+            of(Wanted::Closed, "closed")
+        },
+        stick: of(Wanted::Stick, "stick"),
+        slip: of(Wanted::Slip, "slip"),
+        open: of(Wanted::Open, "open"),
+        outside: of(Wanted::Outside, "outside"),
+    }
+}
+
+/// Tries the states built for `wanted`; `None` where the pair cannot have that status.
+fn one_status(
+    subject: &Subject,
+    wanted: Wanted,
+    status: &str,
+    choice: Choice<'_>,
+) -> Option<Random> {
+    let generator = generator(subject, choice.seed);
     if matches!(
         generator.generate(wanted, 0),
         Err(GenerateError::NeverOutside | GenerateError::NeverSlips)
     ) {
         return None;
     }
-    let result = (0..states)
-        .into_par_iter()
-        .map(|index| one(subject, &generator, wanted, index))
-        .reduce(Random::default, Random::merge);
-    Some(result)
+    let one = |index| one(subject, &generator, wanted, index);
+    let mut random = Random::default();
+    let mut first = 0;
+    for states in milestones(choice.states) {
+        let found = (first..states).into_par_iter().map(one);
+        random = random.merge(found.reduce(Random::default, Random::merge));
+        random.growth.push(Reached {
+            states,
+            residual: random.residual.error,
+            tangent: random.tangent.error,
+        });
+        first = states;
+    }
+    let hardest = choice.hardest.states(subject.name(), status, first);
+    let found = hardest.into_par_iter().map(one);
+    Some(random.merge(found.reduce(Random::default, Random::merge)))
 }
 
 fn one(subject: &Subject, generator: &Generator, wanted: Wanted, index: u64) -> Random {
@@ -193,14 +278,6 @@ fn unloaded_error(
         .max(couplings_error(&answer.couplings, &truth.couplings)))
 }
 
-/// Largest error of the parts that belong to multipliers, each relative to its own largest entry.
-pub(super) fn couplings_error(found: &Couplings, expected: &Couplings) -> f64 {
-    let parts = found.parts().into_iter().zip(expected.parts());
-    parts
-        .map(|(found, expected)| relative_error(found, expected))
-        .fold(0.0, f64::max)
-}
-
 fn closed(
     random: &mut Random,
     subject: &Subject,
@@ -238,11 +315,15 @@ fn closed(
     random.points.absorb(points, index);
     let residual = relative_error(&answer.residual, &truth.residual);
     random.residual.absorb(residual, index);
+    random.residuals.add(residual);
     let energy = energy_error(subject, answer, &truth);
     random.energy.absorb(energy, index);
     let tangent = tangent_error(subject, answer, &truth, &directions)
         .max(couplings_error(&answer.couplings, &truth.couplings));
     random.tangent.absorb(tangent, index);
+    if has_tangent(subject) {
+        random.tangents.add(tangent);
+    }
     let worst = residual
         .max(tangent)
         .max(energy * (RANDOM / ENERGY))
@@ -280,47 +361,4 @@ fn energy_error(subject: &Subject, answer: &Answer, truth: &Evaluation) -> f64 {
         return 0.0;
     }
     relative_energy(&answer.energy, truth.energy, truth.energy_size)
-}
-
-/// Error of an energy relative to the magnitudes that it is made of.
-pub(super) fn relative_energy(found: &[f64], expected: f64, size: f64) -> f64 {
-    let error = relative_error(found, &[expected]);
-    if error == 0.0 {
-        0.0
-    } else {
-        error * (expected / size).abs()
-    }
-}
-
-/// Error of the tangent relative to its largest entry; or of its product with the directions, relative to the
-/// largest sum of absolute terms, because the terms of a product may cancel.
-pub(super) fn tangent_error(
-    subject: &Subject,
-    answer: &Answer,
-    truth: &Evaluation,
-    directions: &[Vec<f64>],
-) -> f64 {
-    if !subject.description.descriptor.tangent || subject.description.tangent_plane {
-        return 0.0;
-    }
-    if directions.is_empty() {
-        return relative_error(&answer.tangent, &truth.tangent);
-    }
-    let unknowns = answer.residual.len();
-    let mut worst: f64 = 0.0;
-    for (direction, expected) in directions.iter().zip(&truth.products) {
-        let (mut difference, mut scale) = (0.0_f64, 0.0_f64);
-        for (row, expected) in answer.tangent.chunks_exact(unknowns).zip(expected) {
-            let terms = || row.iter().zip(direction).map(|(k, d)| k * d);
-            let error = (terms().sum::<f64>() - expected).abs();
-            difference = if error.is_nan() {
-                f64::INFINITY
-            } else {
-                difference.max(error)
-            };
-            scale = scale.max(terms().map(f64::abs).sum());
-        }
-        worst = worst.max(difference / scale);
-    }
-    worst
 }

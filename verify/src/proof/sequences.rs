@@ -5,6 +5,7 @@
 
 use serde::Serialize;
 
+use super::errors;
 use super::random;
 use super::{Finding, Worst, points};
 use crate::configurations::{Configuration, Generator, Stream, Wanted};
@@ -107,8 +108,8 @@ fn compare(
 ) -> Result<f64, String> {
     let points = points::error(subject, configuration, &truth.points, answer)?;
     let residual = relative_error(&answer.residual, &truth.residual);
-    let tangent = random::tangent_error(subject, answer, truth, &[]);
-    let couplings = random::couplings_error(&answer.couplings, &truth.couplings);
+    let tangent = errors::tangent_error(subject, answer, truth, &[]);
+    let couplings = errors::couplings_error(&answer.couplings, &truth.couplings);
     Ok(points.max(residual).max(tangent).max(couplings))
 }
 

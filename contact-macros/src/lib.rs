@@ -5,7 +5,7 @@
 
 use proc_macro::TokenStream;
 
-/// Declares geometries, laws and elements; see the book page `docs/declare.md`.
+/// Declares geometries, laws and elements; `docs/declare.md` describes the language.
 ///
 /// With `export PREFIX;` as the first line the C interface of the declared elements is exported under
 /// that prefix.

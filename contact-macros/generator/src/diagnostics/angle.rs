@@ -14,7 +14,7 @@ pub fn angle_without_curves() -> Diagnostic {
 /// An angle of edges.
 pub fn angle_of_edges() -> Diagnostic {
     Diagnostic::new(
-        "`angle` needs `gap: distance`: the normal of nearly parallel edges is no normal",
+        "`angle` needs `gap: distance`: nearly parallel edges have no normal",
         "write `gap: distance;` for beams (no sign, radii in r0)",
     )
 }
@@ -35,7 +35,7 @@ pub fn angle_on_tangent_plane() -> Diagnostic {
     )
 }
 
-/// An angle beside a multiplier.
+/// An angle with a multiplier.
 pub fn angle_with_multiplier() -> Diagnostic {
     Diagnostic::new(
         "`angle` is offered with `enforcement: penalty` only",
@@ -65,6 +65,6 @@ pub fn angle_with_jump_of_energy(law: &str) -> Diagnostic {
         format!(
             "`angle` needs an energy that is zero where contact begins, but that of `{law}` is not"
         ),
-        "subtract its value there from `W`: the force that turns the curves is in proportion to W",
+        "subtract its value there from `W`: the force that turns the curves is proportional to W",
     )
 }

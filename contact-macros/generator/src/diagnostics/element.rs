@@ -198,7 +198,7 @@ pub fn projected_slave_without_curve(slave: &str, master: &str, is_point: bool) 
         false => format!("write `slave: {slave} at gauss(2);` to integrate over the slave curve"),
     };
     Diagnostic::new(
-        format!("a slave curve can be projected onto a curve only, but `{master}` is none"),
+        format!("a slave curve can be projected onto a curve only, but `{master}` is not a curve"),
         hint,
     )
 }
@@ -211,7 +211,7 @@ pub fn gap_missing() -> Diagnostic {
     )
 }
 
-/// Two curves have no inside that an orientation could tell.
+/// Two curves have no inside by which an orientation could be chosen.
 pub fn gap_not_oriented() -> Diagnostic {
     Diagnostic::new(
         "the gap of two curves cannot be `oriented`: neither has an inside",
@@ -222,9 +222,9 @@ pub fn gap_not_oriented() -> Diagnostic {
 /// A pair that is not evaluated in lanes.
 pub fn no_lanes() -> Diagnostic {
     Diagnostic::new(
-        "this element has no batch in lanes: they are for points and curves against a shape, by a penalty, \
+        "this element cannot be evaluated in lanes: lanes are for points and curves against a shape, by a penalty, \
          without friction, rolling, angle or signed gap of two curves",
-        "leave `batch` out: its contacts are evaluated one after the other",
+        "leave `batch` out: its contacts are then evaluated one after another",
     )
 }
 
@@ -236,7 +236,7 @@ pub fn gap_not_possible(found: &str, possible: &str, reason: &str) -> Diagnostic
     )
 }
 
-/// A current measure without integration points of its own.
+/// A current measure without integration points that belong to the element.
 pub fn measure_without_rule() -> Diagnostic {
     Diagnostic::new(
         "`measure: current` needs a slave with its own integration points",
@@ -244,10 +244,10 @@ pub fn measure_without_rule() -> Diagnostic {
     )
 }
 
-/// A multiplier beside a law that is no linear spring.
+/// A multiplier with a law that is not a linear spring.
 pub fn enforcement_needs_spring(law: &str) -> Diagnostic {
     Diagnostic::new(
-        format!("a multiplier needs a linear normal law beside it, but `{law}` is none"),
+        format!("a multiplier needs a linear normal law, but `{law}` is not linear"),
         "write `normal: Penalty;`, or any N = eps*g with contact at g < 0 and without `valid`",
     )
 }
@@ -260,7 +260,7 @@ pub fn measure_of_multiplier() -> Diagnostic {
     )
 }
 
-/// A linearisation of a tangent that is not wanted.
+/// A linearisation of a tangent that is not requested.
 pub fn tangent_plane_of_residual() -> Diagnostic {
     Diagnostic::new(
         "`linearisation: tangent_plane` contradicts `outputs: residual`",
@@ -308,7 +308,7 @@ pub fn axis_missing(law: &str, slave_has_direction: bool) -> Diagnostic {
     )
 }
 
-/// An axis of a law that has none.
+/// An axis for a law that has no axes.
 pub fn axis_of_isotropic_law(law: &str) -> Diagnostic {
     Diagnostic::new(
         format!("`{law}` has one stiffness for all directions: it takes no `axis`"),
@@ -324,7 +324,7 @@ pub fn axis_without_law() -> Diagnostic {
     )
 }
 
-/// `axis: slave` of a slave that has no direction of its own.
+/// `axis: slave` with a slave that has no direction.
 pub fn slave_without_direction() -> Diagnostic {
     Diagnostic::new(
         "`axis: slave` needs a slave curve with integration points",
@@ -388,7 +388,7 @@ pub fn rolling_on_tangent_plane(law: &str) -> Diagnostic {
     )
 }
 
-/// Rolling beside a multiplier that is an unknown.
+/// Rolling with a multiplier that is an unknown.
 pub fn rolling_with_multiplier(law: &str) -> Diagnostic {
     Diagnostic::new(
         format!("`rolling: {law}` is not offered with `enforcement: multiplier`"),

@@ -53,7 +53,7 @@ pub fn wrong_axis_count(entry: &str, found: usize) -> Diagnostic {
     )
 }
 
-/// Bounds that are not as many as the stiffnesses.
+/// Numbers of bounds and stiffnesses that differ.
 pub fn bound_unlike_stiffness(bounds: usize, stiffnesses: usize) -> Diagnostic {
     let hint = match stiffnesses {
         1 => "write `bound = ..;`, or give two stiffnesses: `stiffness = [.., ..];`",

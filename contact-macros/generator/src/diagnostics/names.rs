@@ -79,7 +79,7 @@ pub fn name_taken(name: &str, role: &str) -> Diagnostic {
     )
 }
 
-/// A parameter with a name that elements give to parameters of their own.
+/// A parameter whose name elements use for the parameters that they add.
 pub fn reserved_parameter(name: &str, reserved: &[&str], prefixes: &[&str]) -> Diagnostic {
     let any = prefixes.iter().map(|prefix| format!("{prefix}*"));
     let all: Vec<String> = reserved
@@ -88,7 +88,7 @@ pub fn reserved_parameter(name: &str, reserved: &[&str], prefixes: &[&str]) -> D
         .chain(any)
         .collect();
     Diagnostic::new(
-        format!("`{name}` is a parameter that elements have of their own"),
+        format!("`{name}` is reserved for a parameter that elements add"),
         format!("choose another name; reserved are {}", list(&all, "and")),
     )
 }
@@ -97,7 +97,7 @@ pub fn reserved_parameter(name: &str, reserved: &[&str], prefixes: &[&str]) -> D
 pub fn bad_unit() -> Diagnostic {
     Diagnostic::new(
         "a unit is text without spaces, of ASCII letters, digits and signs",
-        "write something like `\"force/length^2\"`, or `\"1\"` for none",
+        "write something like `\"force/length^2\"`, or `\"1\"` for a parameter without unit",
     )
 }
 
@@ -205,7 +205,7 @@ pub fn wrong_value(name: &str, what: &str, example: &str) -> Diagnostic {
     )
 }
 
-/// An entry with arguments that takes none.
+/// An entry with arguments that takes no arguments.
 pub fn entry_without_arguments(name: &str) -> Diagnostic {
     Diagnostic::new(
         format!("`{name}` takes no arguments"),

@@ -1,4 +1,4 @@
-//! What the tests of all modules share: text in, messages with their places out.
+//! Helpers of the tests of all modules: text in, messages with their places out.
 
 use crate::model::Model;
 use crate::syntax::File;

@@ -1,4 +1,4 @@
-//! The question before an evaluation: does anything vanish that the element divides by?
+//! The check before an evaluation: does anything vanish that the element divides by?
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -22,7 +22,7 @@ pub struct Divisors {
 }
 
 impl Divisors {
-    /// Of the tangent of a distance function, where it is one, and of a moving measure, where there is one.
+    /// Divisors of the tangent of a distance function and of a moving measure, where the element has them.
     pub fn new(distance: Option<&Program>, measure: Option<&Program>) -> Self {
         let of = |program: Option<&Program>, name: &str| {
             let program = divisor_program(program?, name)?;

@@ -44,7 +44,7 @@ fn comment(text: &str) -> String {
     text.replace("*/", "* /").replace("/*", "/ *")
 }
 
-/// [`symbols`] as a header of its own, beside `contact_elements.h`.
+/// [`symbols`] as a separate header, beside `contact_elements.h`.
 pub fn symbols_header(prefix: &str, elements: &[Element]) -> String {
     let guard = format!("{}_SYMBOLS_H", prefix.to_uppercase());
     let symbols = symbols(prefix, elements);
@@ -56,7 +56,7 @@ pub fn symbols_header(prefix: &str, elements: &[Element]) -> String {
     )
 }
 
-/// A whole header for a library with its own prefix.
+/// A complete header for a library with its own prefix.
 pub fn header(prefix: &str, elements: &[Element]) -> String {
     let guard = format!("{}_H", prefix.to_uppercase());
     let functions = functions(prefix);

@@ -11,7 +11,7 @@ use crate::model::Model;
 pub use c::{C_HEADERS, header, symbols_header};
 pub use fortran::{fortran_include, short_name};
 
-/// What went wrong while a build script wrote a header.
+/// The error of a build script that writes a header.
 #[derive(Debug)]
 pub enum HeaderError {
     /// A file could not be read or written.

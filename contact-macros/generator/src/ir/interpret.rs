@@ -5,7 +5,7 @@ use super::{Binary, Node, Program, Unary};
 /// Values of the outputs for the given inputs.
 ///
 /// # Panics
-/// Where `inputs` is shorter than the program's list of inputs.
+/// `inputs` is shorter than the program's list of inputs.
 pub fn interpret(program: &Program, inputs: &[f64]) -> Vec<f64> {
     let mut values: Vec<f64> = Vec::with_capacity(program.graph.nodes().len());
     for &node in program.graph.nodes() {

@@ -257,7 +257,7 @@ impl Pair {
         }
     }
 
-    /// −2c factor: what multiplies δc where `factor` multiplies δq.
+    /// −2c factor: the factor of δc where `factor` is that of δq.
     pub(super) fn by_cosine(&self, graph: &mut Graph, factor: NodeId) -> NodeId {
         let minus = graph.constant(-2.0);
         let double = graph.multiply(minus, self.cosine);

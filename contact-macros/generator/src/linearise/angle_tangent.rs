@@ -174,7 +174,7 @@ fn turn(
     pairs
 }
 
-/// e a_c·D²u_c/|u_c|: what comes with δζ^c, and the part of D²ζ^c that has none.
+/// e a_c·D²u_c/|u_c|: the part with δζ^c, and the part of D²ζ^c without it.
 fn second_variation(program: &mut Program, pair: &Pair, lever: NodeId) -> Vec<[Motion; 2]> {
     let transport = program.term("angle-transport", lever, NO_CURVATURE);
     let third = program.term("angle-third", lever, NO_THIRD);

@@ -135,7 +135,7 @@ pub(super) fn combination(
     sum
 }
 
-/// What multiplies the entries 11, 12, 22 of a symmetric tensor in E^i_q E^j_r T_ij.
+/// Factors of the entries 11, 12, 22 of a symmetric tensor in E^i_q E^j_r T_ij.
 fn framing(graph: &mut Graph, frame: &[Vec<NodeId>], (q, r): (usize, usize)) -> Vec<NodeId> {
     pairs(frame.len())
         .map(|(i, j)| {
@@ -208,7 +208,7 @@ pub(super) struct Sliding {
     pub(super) third: Vec<NodeId>,
     pub(super) slip: Vec<NodeId>,
     pub(super) t: Vec<NodeId>,
-    /// What multiplies δζ̂^q: t_q, with rolling also the share of the moments.
+    /// Factor of δζ̂^q: t_q, with rolling also the share of the moments.
     pub(super) force: Vec<NodeId>,
     /// C_qr = ∂t_q/∂s_r
     pub(super) c: Vec<Vec<NodeId>>,

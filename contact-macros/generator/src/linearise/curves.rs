@@ -144,7 +144,7 @@ impl Pair {
     }
 }
 
-/// The inputs `name_0 …` that are there already.
+/// The inputs `name_0 …` that exist already.
 pub(super) fn named(program: &mut Program, name: &str) -> Vector {
     let first = format!("{name}_0");
     let at = program.inputs.iter().position(|input| *input == first);

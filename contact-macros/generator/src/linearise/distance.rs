@@ -1,7 +1,7 @@
 //! Rigid distance functions d(x): no projection at all. [eq:distance]
 //!
-//! g = ±d − r0, δg = n·δr with n = ±∇d, D²g = ±δr·∇∇d·Δr. Gradient and Hessian of the declared
-//! function are the generator's.
+//! g = ±d − r0, δg = n·δr with n = ±∇d, D²g = ±δr·∇∇d·Δr. The generator derives gradient and Hessian of the
+//! declared function.
 
 use super::basis::upper_index;
 use crate::ir::{NodeId, Program, Scope, Vector, differentiate, lower};

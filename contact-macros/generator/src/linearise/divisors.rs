@@ -1,12 +1,12 @@
-//! What a program divides by: an element asks before it evaluates the program itself, so that a master's
-//! axis or a slave of no area is a status instead of 0/0.
+//! The values that a program divides by: an element evaluates them before the program itself, so that a master's
+//! axis or a slave without area gives a status instead of 0/0.
 
 use std::collections::BTreeSet;
 
 use crate::ir::{Binary, Graph, Node, NodeId, Program, Unary};
 
 /// The inputs of `program` → the values that must not vanish: all its denominators, and √a wherever a
-/// must be positive (logarithms, powers that are not whole). None where nothing can vanish.
+/// must be positive (logarithms, powers that are not whole). `None` where nothing can vanish.
 pub fn divisor_program(program: &Program, name: &str) -> Option<Program> {
     let mut result = Program {
         name: name.to_string(),

@@ -19,12 +19,12 @@
 //! | `rolling` | angles about two curves, residual of their moments | [eq:rolling-angle] [eq:rolling-residual] |
 //! | `turning` | tangent of those moments | [eq:rolling-tangent] |
 //! | `curves` | the two curves, for `rolling` and `turning` | [eq:rolling-angle] |
-//! | `motion` | linear forms that `turning` and `angle_tangent` are written in | none |
+//! | `motion` | linear forms in which `turning` and `angle_tangent` are written | – |
 //! | `angle` | weight by the angle of two curves, its share of the residual | [eq:angle-window] [eq:angle-weight] [eq:angle-residual] |
 //! | `angle_tangent` | its share of the tangent | [eq:angle-tangent] |
-//! | `row` | linear forms that `tangential` is written in | none |
+//! | `row` | linear forms in which `tangential` is written | – |
 //! | `measure` | Jacobian of the slave and its variation | [eq:measure] |
-//! | `divisors` | what another program divides by | none |
+//! | `divisors` | divisors of another program | – |
 
 // [eq:…] names an equation of docs/, not an item; the documentation tests follow it
 #![allow(rustdoc::broken_intra_doc_links)]

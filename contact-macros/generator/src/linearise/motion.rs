@@ -1,4 +1,4 @@
-//! Linear forms over the motion of two curves: the rows that a linearisation of their angles is made of.
+//! Linear forms over the motion of two curves: the rows in which a linearisation of their angles is written.
 //!
 //! A form multiplies s_A and, for either curve i, s_A,i, s_A,ii and s_A,iii by a vector each.
 
@@ -97,7 +97,7 @@ impl Motion {
 pub(super) struct Variation(Vec<Motion>);
 
 impl Variation {
-    /// Of a vector that does not move.
+    /// Forms of a vector that does not move.
     pub(super) fn none(graph: &mut Graph) -> Self {
         Self(vec![Motion::zero(graph); 3])
     }

@@ -224,7 +224,7 @@ fn sandwich(graph: &mut Graph, b: &[Vector], tensor: &[Vec<NodeId>], d: usize) -
         .collect()
 }
 
-/// (N/L) Σ_c c⊗c with Σ_c c⊗c = I − n⊗n − b_i a^ij b_j [eq:complement]; none in codimension one.
+/// (N/L) Σ_c c⊗c with Σ_c c⊗c = I − n⊗n − b_i a^ij b_j [eq:complement]; zero in codimension one.
 fn complement(
     program: &mut Program,
     projection: &Projection,

@@ -11,7 +11,7 @@
 //! D²ψ = H(w) − H(r) + p_r·D²r + p_u·D²u + p_w·D²w ,   H = X_f⊙X_g + X_τ⊙U_g + ½ U_f⊙U_g
 //! ```
 //!
-//! A⊙B = A⊗B + B⊗A; p_r, p_u, p_w are the derivatives of ψ. What multiplies D²ζ joins the tangential force.
+//! A⊙B = A⊗B + B⊗A; p_r, p_u, p_w are the derivatives of ψ. The factor of D²ζ joins the tangential force.
 
 use super::Kinematics;
 use super::curves::{Pair, SIGNS, references, signed, triad};
@@ -22,7 +22,7 @@ use crate::model::Reference;
 /// What is known of the two curves when the code is made.
 #[derive(Clone, Copy, Debug)]
 pub struct Curves {
-    /// What the angles are measured from.
+    /// The directions from which the angles are measured.
     pub reference: Reference,
     /// Whether r_,111 and r_,222 can be non-zero.
     pub third: [bool; 2],
@@ -68,7 +68,7 @@ pub fn angle_program(reference: Reference) -> Program {
     program
 }
 
-/// The contact point and M_c → share of the moments in what multiplies δζ̂^q, E^i_q M_c φ_c,i, and the explicit
+/// The contact point and M_c → share of the moments in the factor of δζ̂^q, E^i_q M_c φ_c,i, and the explicit
 /// part of M_c δφ_c: vectors of s_A, s_A,i, s_A,ii. [eq:rolling-residual] [eq:rolling-share]
 pub fn residual_program(kinematics: &Kinematics, curves: Curves) -> Program {
     let mut program = Program::new("rolling_residual");

@@ -1,6 +1,6 @@
-//! Linear forms over the motion of one contact point: the rows that a tangential linearisation is made of.
+//! Linear forms over the motion of one contact point: the rows in which a tangential linearisation is written.
 //!
-//! A form is written in the variations Z_k of the projected parameters and in what is left besides them, along
+//! A form is written in the variations Z_k of the projected parameters and in the motions apart from them, along
 //! the axes of the contact point; most of its entries vanish. Only its last step, over the declared parameters,
 //! has vectors.
 
@@ -127,7 +127,7 @@ impl Form {
     }
 }
 
-/// v^i E^j_k + v^j E^i_k for i ≠ j, v^i E^i_k else: what multiplies n·δr_,ij in Σ_ij v^i E^j_k n·δr_,ij.
+/// v^i E^j_k + v^j E^i_k for i ≠ j, v^i E^i_k else: the factor of n·δr_,ij in Σ_ij v^i E^j_k n·δr_,ij.
 pub(super) fn symmetric_row(
     graph: &mut Graph,
     frame: &[Vec<NodeId>],

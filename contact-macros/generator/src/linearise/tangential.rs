@@ -54,8 +54,8 @@ pub fn residual_program(kinematics: &Kinematics) -> Program {
     program
 }
 
-/// n, L, b_i, r_,ij, E, r_,ijk, s, t, C, h, N' → forms Z, −P, G and the factors of the cross term; `rolls`: what
-/// multiplies δζ̂ comes too, t with the share of the moments [eq:rolling-share].
+/// n, L, b_i, r_,ij, E, r_,ijk, s, t, C, h, N' → forms Z, −P, G and the factors of the cross term; with `rolls` also the
+/// factor of δζ̂, t with the share of the moments [eq:rolling-share].
 pub fn tangent_program(kinematics: &Kinematics, axis: Option<Axis>, rolls: bool) -> Program {
     let mut program = Program::new("tangential_tangent");
     let contact = Contact::new(&mut program, kinematics);

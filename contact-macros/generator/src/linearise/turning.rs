@@ -38,11 +38,11 @@ pub fn tangent_program(kinematics: &Kinematics, curves: Curves) -> Program {
 struct Turning {
     /// Dψ
     angle: Motion,
-    /// Of r: X_g, U_f, U_g.
+    /// Forms of r: X_g, U_f, U_g.
     arm: Motion,
     tilt: Motion,
     swing: Motion,
-    /// Of w: X_f, X_g, X_τ + ½ U_f, U_g.
+    /// Forms of w: X_f, X_g, X_τ + ½ U_f, U_g.
     stretch: Motion,
     turn: Motion,
     axial: Motion,

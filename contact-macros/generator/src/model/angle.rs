@@ -12,7 +12,7 @@ use crate::diagnostics::{Mistakes, angle as messages};
 /// Gap, linearisation and enforcement; `None` after a mistake.
 pub(super) type Choices = (Option<Gap>, Option<Linearisation>, Option<Enforcement>);
 
-/// The entries that an angle has to do with.
+/// The entries on which an angle depends.
 pub(super) struct Others<'a> {
     pub pair: Option<(usize, &'a Slave, &'a Master)>,
     pub law: Option<&'a Side<Rc<Law>>>,

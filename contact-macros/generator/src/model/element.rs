@@ -204,7 +204,7 @@ impl<'a> Entries<'a> {
         None
     }
 
-    /// The first axis of a tangential law with two; `None` if there is none, and after a mistake.
+    /// The first axis of a tangential law with two; `None` without such a law, and after a mistake.
     fn axis(
         &self,
         law: Option<&Side<Rc<TangentialLaw>>>,
@@ -249,7 +249,7 @@ impl<'a> Entries<'a> {
         Some(chosen)
     }
 
-    /// From where the angles are measured; `None` after a mistake.
+    /// The directions from which the angles are measured; `None` after a mistake.
     fn reference(
         &self,
         law: Option<&Side<Rc<TangentialLaw>>>,
@@ -271,7 +271,7 @@ impl<'a> Entries<'a> {
         Some(reference)
     }
 
-    /// What a law of rolling needs of the other entries.
+    /// The other entries on which a law of rolling depends.
     fn check_rolling(
         &self,
         law: Option<&Side<Rc<TangentialLaw>>>,
@@ -294,7 +294,7 @@ impl<'a> Entries<'a> {
         }
     }
 
-    /// At which angles the contact acts; `None` if at all of them, and after a mistake.
+    /// The angles at which the contact acts; `None` for all angles, and after a mistake.
     fn angle(&self, others: &Others<'_>, mistakes: &mut Mistakes) -> Option<Angle> {
         self.get("angle")?;
         let choices = [("large", Angle::Large), ("small", Angle::Small)];

@@ -75,7 +75,7 @@ fn coordinate_count(item: &GeometryItem, mistakes: &mut Mistakes) {
     }
 }
 
-/// What only some kinds may have.
+/// Checks entries that only some kinds may have.
 fn kind_rules(item: &GeometryItem, mistakes: &mut Mistakes) {
     let is_shape = matches!(item.kind, GeometryKind::Surface | GeometryKind::Curve);
     if let Some(word) = &item.rational
@@ -242,7 +242,7 @@ fn distance(item: &GeometryItem, mut scope: Scope, mistakes: &mut Mistakes) -> O
     Some((bindings, Body::Distance { value }))
 }
 
-/// What can only be seen by putting numbers in.
+/// Checks that need numbers.
 fn numeric_rules(item: &GeometryItem, geometry: &Geometry, mistakes: &mut Mistakes) {
     let field = |name: &str| {
         item.body

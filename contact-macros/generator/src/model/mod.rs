@@ -1,7 +1,7 @@
 //! What a declaration means.
 //!
 //! [`Model::build`] is the only way from [`crate::syntax`] to a [`Model`]: a model that exists has
-//! passed every check, so later phases need none. All mistakes of a file are reported at once; an
+//! passed every check, so later phases check nothing. All mistakes of a file are reported at once; an
 //! item with a mistake is left out, and mentioning it elsewhere is no further mistake.
 //!
 //! | question | file |
@@ -65,7 +65,7 @@ impl Model {
     /// The built-in geometries and laws; the library has no elements.
     ///
     /// # Panics
-    /// If the library itself has a mistake: a test makes sure that it has none.
+    /// If the library itself has a mistake: a test makes sure that it has no mistake.
     pub fn library() -> Model {
         let text = LIBRARY.concat();
         let file: File = syn::parse_str(&text).expect("the library consists of tokens");

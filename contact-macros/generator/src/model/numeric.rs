@@ -1,4 +1,4 @@
-//! Checks that put numbers in: they find slips that no other check can see.
+//! Checks that put numbers in: they find slips that other checks cannot see.
 
 use std::collections::HashMap;
 
@@ -170,7 +170,7 @@ pub(super) fn energy_begins_at_zero(law: &Law) -> bool {
     at(limit).abs() <= 1e-12 * at(inside).abs()
 }
 
-/// What a curve by shape functions is as a polynomial of its coordinate.
+/// Degree of a curve by shape functions as a polynomial of its coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Degree {
     /// At most linear: its second derivative vanishes.

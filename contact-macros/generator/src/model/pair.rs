@@ -257,7 +257,7 @@ fn check_dimension(
     }
 }
 
-/// The only gap that a pair can have, with the reason; `None` where both are possible.
+/// The only gap that a pair can have, with the reason; `None` where several are possible.
 pub(super) fn only_gap(
     dimension: usize,
     slave: &Slave,

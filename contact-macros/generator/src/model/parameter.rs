@@ -1,4 +1,4 @@
-//! Run-time parameters: units, ranges, names that elements keep for themselves.
+//! Run-time parameters: units, ranges, names that are reserved for elements.
 
 use syn::LitStr;
 
@@ -7,7 +7,7 @@ use super::types::Parameter;
 use crate::diagnostics::{Mistakes, names as messages, short};
 use crate::syntax;
 
-/// Parameters that elements add on their own; declarations cannot use these names.
+/// Parameters that elements add; declarations cannot use these names.
 pub const RESERVED: [&str; 18] = [
     "r0",
     "orientation",

@@ -52,7 +52,7 @@ impl Registry {
         self.entries.insert(name.to_string(), entry);
     }
 
-    /// The geometry or law of that name; `None` if there is none.
+    /// The geometry or law of that name; `None` if it does not exist.
     pub fn get(&self, name: &Ident) -> Option<&Entry> {
         self.entries
             .get(&name.to_string())

@@ -1,4 +1,4 @@
-//! Checks of `rolling`: moments about two curves, and what their angles are measured from.
+//! Checks of `rolling`: moments about two curves, and the directions from which their angles are measured.
 
 use std::rc::Rc;
 

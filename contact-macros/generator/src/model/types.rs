@@ -118,7 +118,7 @@ pub struct Law {
     pub bindings: Vec<(Ident, Expr)>,
     /// The gaps at which there is contact.
     pub active: Bound,
-    /// The gaps at which the law is defined; `None`: all of them.
+    /// The gaps at which the law is defined; `None` for all gaps.
     pub valid: Option<Bound>,
     /// N.
     pub traction: Expr,

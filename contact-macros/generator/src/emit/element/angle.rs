@@ -20,7 +20,7 @@ pub(super) struct Angle {
 }
 
 impl Angle {
-    /// None for an element that acts at any angle.
+    /// `None` for an element that acts at any angle.
     pub(super) fn new(element: &Element, kinematics: &Kinematics) -> Option<Self> {
         let acts_at = element.angle?;
         let (
@@ -64,7 +64,7 @@ impl Facts<'_> {
         }
     }
 
-    /// What the trait has of the angle.
+    /// The methods of the trait that concern the angle.
     pub(super) fn angle_methods(&self) -> TokenStream {
         let Some(angle) = &self.angle else {
             return quote! {};

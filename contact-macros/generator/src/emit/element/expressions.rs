@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use crate::linearise::second_derivatives;
 use crate::model::{Body, Geometry, Law, TangentialLaw};
 
-/// Nodes of a shape; a rigid geometry has none.
+/// Nodes of a shape; a rigid geometry has no nodes.
 pub(super) fn nodes(geometry: &Geometry) -> usize {
     match &geometry.body {
         Body::Shape { functions, .. } => functions.len(),

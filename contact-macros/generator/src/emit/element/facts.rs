@@ -1,4 +1,4 @@
-//! What is known of an element before anything is emitted: its programs, sizes and parameters.
+//! What is known about an element before anything is emitted: its programs, sizes and parameters.
 
 use proc_macro2::TokenStream;
 
@@ -13,7 +13,7 @@ use crate::ir::Program;
 use crate::linearise::{Kinematics, distance, gap, geometry, measure, normal, second_derivatives};
 use crate::model::{Body, Element, Geometry, Master, Measure, Rule, Slave};
 
-/// Everything about an element that several parts of the output need.
+/// Facts about an element that several parts of the output need.
 pub(super) struct Facts<'a> {
     pub(super) element: &'a Element,
     pub(super) kinematics: Kinematics,
@@ -188,7 +188,7 @@ pub(super) fn kinematics(element: &Element) -> Kinematics {
     }
 }
 
-/// Integration points; a point without weight where there are none.
+/// Integration points; without a rule one point without weight.
 fn points(element: &Element) -> Vec<WeightedPoint> {
     match &element.slave {
         Slave::Integrated {

@@ -22,7 +22,7 @@ pub(super) struct Friction {
 }
 
 impl Friction {
-    /// None for a frictionless element.
+    /// `None` for a frictionless element.
     pub(super) fn new(element: &Element, kinematics: &Kinematics) -> Option<Self> {
         let axis = element.tangential.as_ref()?.axis;
         let rolls = element.rolling.is_some();
@@ -100,7 +100,7 @@ impl Facts<'_> {
         quote! { #frame #force #higher #tangent #direction #rolling }
     }
 
-    /// What multiplies δζ̂^q: t_q, with rolling also the share of the moments.
+    /// Factor of δζ̂^q: t_q, with rolling also the share of the moments.
     fn effective_force(&self, friction: &Friction) -> Vec<TokenStream> {
         let (_, p, _) = self.sizes();
         let field = match friction.rolling {

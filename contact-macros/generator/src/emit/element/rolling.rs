@@ -21,7 +21,7 @@ pub(super) struct Rolling {
 }
 
 impl Rolling {
-    /// None for an element without rolling.
+    /// `None` for an element without rolling.
     pub(super) fn new(element: &Element, kinematics: &Kinematics) -> Option<Self> {
         let reference = element.rolling.as_ref()?.reference;
         let (Slave::Projected(slave), Master::Shape(master)) = (&element.slave, &element.master)
@@ -66,7 +66,7 @@ impl Facts<'_> {
         quote! { runtime::RollingLayout { law: #law, directors: #directors } }
     }
 
-    /// What the trait has of rolling.
+    /// The methods of the trait that concern rolling.
     pub(super) fn rolling_methods(&self) -> TokenStream {
         let (Some(rolling), Some(declared)) = (self.rolling(), &self.element.rolling) else {
             return quote! {};

@@ -1,7 +1,7 @@
-//! What is emitted for the built-in elements: always the same, readable, of known cost, with every term.
+//! The emitted source of the built-in elements is always the same, readable, of known cost, and has every term.
 //!
 //! The files in `tests/golden` are compared; `CONTACT_BLESS=1 cargo test -p contact-generator golden`
-//! writes them anew. Look at the difference before you commit it: it is a change of what users run.
+//! rewrites them. Look at the difference before you commit it: it is a change of what users run.
 
 use std::fmt::Write as _;
 use std::path::Path;

@@ -50,6 +50,6 @@ fn energies_begin_at_zero() {
     assert_mistake(
         &format!("{law} {}", element("Line2", "Line2", text)),
         "`angle` needs an energy that is zero where contact begins, but that of `Shifted` is not",
-        "subtract its value there from `W`: the force that turns the curves is in proportion to W",
+        "subtract its value there from `W`: the force that turns the curves is proportional to W",
     );
 }

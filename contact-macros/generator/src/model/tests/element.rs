@@ -282,7 +282,7 @@ fn enforcement() {
         let law = format!("normal law Odd(g; k in (0, inf)) {{ {law} }}");
         assert_mistake(
             &element(&law, "normal: Odd; enforcement: «multiplier;"),
-            "a multiplier needs a linear normal law beside it, but `Odd` is none",
+            "a multiplier needs a linear normal law, but `Odd` is not linear",
             "write `normal: Penalty;`, or any N = eps*g with contact at g < 0 and without `valid`",
         );
     }
@@ -319,9 +319,9 @@ fn batches_in_lanes() {
     ] {
         assert_mistake(
             &format!("element A {{ {rest} batch: «lanes; }}"),
-            "this element has no batch in lanes: they are for points and curves against a shape, by a penalty, \
+            "this element cannot be evaluated in lanes: lanes are for points and curves against a shape, by a penalty, \
              without friction, rolling, angle or signed gap of two curves",
-            "leave `batch` out: its contacts are evaluated one after the other",
+            "leave `batch` out: its contacts are then evaluated one after another",
         );
     }
 }

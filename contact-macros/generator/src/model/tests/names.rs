@@ -135,17 +135,17 @@ fn names_are_used_once_in_an_item() {
 fn names_that_elements_keep() {
     assert_mistake(
         "normal law Soft(g; «r0: \"length\") { N = g - r0; }",
-        "`r0` is a parameter that elements have of their own",
+        "`r0` is reserved for a parameter that elements add",
         RESERVED_HINT,
     );
     assert_mistake(
         "normal law Soft(g; «slave_director_x) { N = slave_director_x*g; }",
-        "`slave_director_x` is a parameter that elements have of their own",
+        "`slave_director_x` is reserved for a parameter that elements add",
         RESERVED_HINT,
     );
     assert_mistake(
         "normal law Soft(g; «slave_weight_3) { N = slave_weight_3*g; }",
-        "`slave_weight_3` is a parameter that elements have of their own",
+        "`slave_weight_3` is reserved for a parameter that elements add",
         RESERVED_HINT,
     );
 }
@@ -161,7 +161,7 @@ fn units_are_plain_text() {
         assert_mistake(
             &format!("normal law Soft(g; e: «\"{unit}\") {{ N = e*g; }}"),
             "a unit is text without spaces, of ASCII letters, digits and signs",
-            "write something like `\"force/length^2\"`, or `\"1\"` for none",
+            "write something like `\"force/length^2\"`, or `\"1\"` for a parameter without unit",
         );
     }
 }

@@ -41,13 +41,15 @@ fn projected_slaves() {
     for master in ["Quad4", "Plane", "PlaneDistance"] {
         assert_mistake(
             &format!("element E {{ slave: «Line2; master: {master}; normal: Penalty; }}"),
-            &format!("a slave curve can be projected onto a curve only, but `{master}` is none"),
+            &format!(
+                "a slave curve can be projected onto a curve only, but `{master}` is not a curve"
+            ),
             "write `slave: Line2 at gauss(2);` to integrate over the slave curve",
         );
     }
     assert_mistake(
         "element E { slave: «Line2; master: point; normal: Penalty; }",
-        "a slave curve can be projected onto a curve only, but `point` is none",
+        "a slave curve can be projected onto a curve only, but `point` is not a curve",
         "make the curve the master: `slave: point; master: Line2;`",
     );
     assert_mistake(

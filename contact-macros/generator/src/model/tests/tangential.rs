@@ -301,7 +301,7 @@ fn parameters_share_one_list() {
 fn names_that_elements_keep_for_the_axis() {
     let found = mistakes("tangential law Rub(p, s; axis_1) { stiffness = axis_1; }");
     assert_eq!(found.len(), 1);
-    assert!(found[0].starts_with("1:26 `axis_1` is a parameter that elements have of their own"));
+    assert!(found[0].starts_with("1:26 `axis_1` is reserved for a parameter that elements add"));
 }
 
 #[test]

@@ -263,6 +263,48 @@ pub fn problems_of_library(page: &str, names: &[String]) -> Vec<String> {
         .collect()
 }
 
+/// A whole program of a page, and what the page says it prints.
+pub struct Quoted {
+    /// The page.
+    pub path: String,
+    /// The source.
+    pub program: String,
+    /// The block of text that follows it.
+    pub printed: String,
+}
+
+/// Fenced blocks of a page: language, content.
+fn blocks(page: &str) -> Vec<(&str, &str)> {
+    let fenced = page.split("\n```").skip(1).step_by(2);
+    fenced.filter_map(|block| block.split_once('\n')).collect()
+}
+
+/// The programs in one language, told by how a line of theirs starts; the next block of their page is
+/// the text that they print.
+pub fn quoted_programs(pages: &[Text], language: &str, start: &str) -> Vec<Quoted> {
+    let mut found = Vec::new();
+    for page in pages.iter().filter(|page| is_ours(&page.path)) {
+        let blocks = blocks(&page.content);
+        for (at, (kind, program)) in blocks.iter().enumerate() {
+            if *kind != language || !program.lines().any(|line| line.starts_with(start)) {
+                continue;
+            }
+            let Some(("text", printed)) = blocks.get(at + 1) else {
+                panic!(
+                    "{}: a program without a block of text that it prints",
+                    page.path
+                );
+            };
+            found.push(Quoted {
+                path: page.path.clone(),
+                program: format!("{program}\n"),
+                printed: format!("{printed}\n"),
+            });
+        }
+    }
+    found
+}
+
 /// Blocks of Rust in a page, one line per line of code without indentation.
 pub fn rust_blocks(page: &str) -> Vec<String> {
     let blocks = page.split("\n```rust\n").skip(1);

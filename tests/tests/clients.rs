@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use contact_tests::compiler::{self, REQUIRE_FORTRAN};
+use contact_tests::documents::{Quoted, pages, quoted_programs};
 use contact_tests::library::Library;
 use contact_tests::process::{available, run, succeed, text};
 use contact_tests::workspace;
@@ -240,6 +241,52 @@ fn assert_refused(compiler: &mut Command, message: &str) {
         !output.status.success() && said.contains(message),
         "{compiler:?}:\n{said}"
     );
+}
+
+/// Compiles and runs a program of the documentation; it prints what its page says.
+fn prints_what_the_page_says(
+    quoted: &Quoted,
+    compiler: impl Fn(&Path) -> Command,
+    name: &str,
+    link: &[String],
+) {
+    let directory = tempfile::TempDir::new().expect("a temporary directory");
+    let source = directory.path().join(name);
+    std::fs::write(&source, &quoted.program).expect("the source");
+    let executable = directory.path().join("program");
+    let mut command = compiler(&source);
+    command.arg(&source).args(link).args(["-lm", "-o"]);
+    succeed(command.arg(&executable));
+    let printed = succeed(&mut Command::new(&executable));
+    assert_eq!(printed, quoted.printed, "{}", quoted.path);
+}
+
+#[test]
+fn programs_of_the_documentation_in_c() {
+    let library = Library::contact_elements();
+    let programs = quoted_programs(&pages(), "c", "int main(");
+    assert!(programs.iter().any(|quoted| quoted.path == "README.md"));
+    for quoted in &programs {
+        prints_what_the_page_says(quoted, |_| compiler::c(), "program.c", &library.link());
+    }
+}
+
+#[test]
+fn programs_of_the_documentation_in_fortran() {
+    if !available("gfortran", REQUIRE_FORTRAN) {
+        return;
+    }
+    let library = Library::contact_elements();
+    let directory = library.path();
+    let module = workspace("contact-elements/include/contact_elements.f90");
+    let module = object(compiler::fortran(&module, directory), &module, directory);
+    let link = [vec![module.display().to_string()], library.link()].concat();
+    let programs = quoted_programs(&pages(), "fortran", "program ");
+    assert!(programs.iter().any(|quoted| quoted.path == "README.md"));
+    for quoted in &programs {
+        let compiler = |source: &Path| compiler::fortran(source, directory);
+        prints_what_the_page_says(quoted, compiler, "program.f90", &link);
+    }
 }
 
 fn is_program(text: &str) -> bool {

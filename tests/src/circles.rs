@@ -31,7 +31,7 @@ struct Module {
 
 /// The modules of a crate.
 pub struct Crate {
-    /// Its name in paths of its own.
+    /// Its name in its own paths.
     name: String,
     files: Vec<PathBuf>,
     modules: BTreeMap<Names, Module>,
@@ -137,7 +137,7 @@ impl Crate {
         Ok(())
     }
 
-    /// The file that defines what a path in the module `from` leads to; none outside the crate.
+    /// The file that defines what a path in the module `from` leads to; `None` outside the crate.
     fn file_of(&self, from: &[String], path: &[String], depth: usize) -> Option<usize> {
         let (first, rest) = path.split_first()?;
         let module = self.modules.get(from)?;

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::workspace;
 
-/// How a tag begins; written apart so that this file cites none.
+/// Beginning of a tag; written in parts so that this file cites no tag.
 pub const TAG: &str = concat!("[", "eq:");
 /// Folders that hold no text of the project.
 const SKIPPED: [&str; 4] = ["target", ".git", ".library", "node_modules"];

@@ -18,7 +18,7 @@ pub fn structs(header: &str) -> Vec<Struct> {
         let Some((head, body)) = after.split_once('{') else {
             break;
         };
-        // `typedef struct cte_element cte_element;` has no body of its own.
+        // `typedef struct cte_element cte_element;` has no body.
         if head.contains(';') {
             continue;
         }

@@ -68,7 +68,7 @@ fn the_host_needs_next_to_nothing() {
     }
 }
 
-/// Whether the version of a symbol is GLIBC_2.17 (2012) at most, or none.
+/// Whether a symbol has no version or GLIBC_2.17 (2012) at most.
 fn old_enough(version: &str) -> bool {
     let Some(number) = version.trim_start_matches('@').strip_prefix("GLIBC_") else {
         return version.is_empty();

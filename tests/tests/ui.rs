@@ -1,6 +1,6 @@
 //! What the compiler says: `tests/ui/fail` holds a file per class of mistake with the messages beside it.
 //!
-//! `TRYBUILD=overwrite` writes the messages anew; read the difference.
+//! `TRYBUILD=overwrite` rewrites the messages; read the difference.
 
 #[test]
 fn messages() {

@@ -56,7 +56,7 @@ impl Case {
         }
     }
 
-    /// Evaluates R, and K where wanted; the outputs are kept from the optimiser.
+    /// Evaluates R, and K on request; the outputs are kept from the optimiser.
     fn evaluate(&self, residual: &mut [f64], tangent: &mut [f64], output: &mut [f64]) {
         let n = self.x.len();
         let points = self.descriptor.points;

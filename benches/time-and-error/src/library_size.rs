@@ -14,7 +14,7 @@ struct Library {
     file: &'static str,
 }
 
-/// Of the workspace that both belong to.
+/// Root of the workspace to which both belong.
 const MANIFEST: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
 const LIBRARIES: [Library; 2] = [
     Library {

@@ -35,7 +35,7 @@ impl Catalogue {
     /// States of an element.
     ///
     /// # Errors
-    /// Where there are none.
+    /// No configuration has the requested status.
     pub fn configurations(
         &self,
         name: &str,
@@ -50,7 +50,7 @@ impl Catalogue {
     /// The same as cases.
     ///
     /// # Errors
-    /// Where there are none.
+    /// No configuration has the requested status.
     pub fn cases(&self, name: &str, wanted: Wanted, count: u64) -> Result<Vec<Case>, Failure> {
         let subject = self.get(name)?;
         let states = self.configurations(name, wanted, count)?;
@@ -59,7 +59,7 @@ impl Catalogue {
     }
 }
 
-/// The case, if the element sees it as wanted.
+/// The case, if the element finds the requested status.
 fn checked(case: Case, wanted: Wanted) -> Result<Case, Failure> {
     let mut answer = Answer::of(&case);
     let outcome = case.evaluate(Request::RESIDUAL, &mut answer);

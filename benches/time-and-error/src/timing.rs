@@ -89,7 +89,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Of a list that is not empty.
+    /// Spread of a list that is not empty.
     pub fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
         let at = |share: usize| values[(values.len() - 1) * share / 4];

@@ -16,7 +16,7 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// Of a closed state without friction.
+    /// Truth of a closed state without friction.
     ///
     /// # Errors
     /// Where the pair has no truth.

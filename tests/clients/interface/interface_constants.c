@@ -25,7 +25,7 @@ static void compare(const char *what, const constant *constants, size_t count)
 
 #define COMPARE(what, constants) compare(what, constants, sizeof constants / sizeof constants[0])
 
-/* Every constant of the list has a text of its own. */
+/* Every constant of the list has a distinct text. */
 static void texts(const char *what, const constant *constants, size_t count, const char *(*text)(int32_t))
 {
   int pass = 1;

@@ -57,7 +57,7 @@ contains
     call client_check(all(found == expected), client_text(what, size(found, kind=i8)))
   end subroutine compare
 
-  ! Every constant of the list has a text of its own.
+  ! Every constant of the list has a distinct text.
   subroutine texts(what, constants, text)
     character(len=*), intent(in) :: what
     integer(i4), intent(in) :: constants(:)

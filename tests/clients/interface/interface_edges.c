@@ -54,7 +54,7 @@ static void crossing(void)
   }
 }
 
-/* On the next segment of the chain the crossing goes on. */
+/* The crossing continues on the next segment of the chain. */
 static void chain(void)
 {
   int32_t argument = -1;

@@ -64,7 +64,7 @@ contains
     end do
   end subroutine crossing
 
-  ! On the next segment of the chain the crossing goes on.
+  ! The crossing continues on the next segment of the chain.
   subroutine chain()
     integer(i4) :: argument
     logical :: pass

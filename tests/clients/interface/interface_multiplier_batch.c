@@ -31,7 +31,7 @@ static results single, many;
 static double x[NODES][3], u[NODES][3], history_accepted[CONTACTS][HISTORY];
 static int32_t connectivity[CONTACTS][PER];
 
-/* Slaves in the facets, over them, one beside; multipliers of both signs. What is not looked at is no number. */
+/* Slaves in the facets, over them, one beside; multipliers of both signs. Entries that are not read are NaN. */
 static void lay_out(void)
 {
   for (int e = 0; e <= CONTACTS; e++)

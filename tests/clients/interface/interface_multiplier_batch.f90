@@ -31,7 +31,7 @@ module interface_multiplier_batch
 
 contains
 
-  ! Slaves in the facets, over them, one beside; multipliers of both signs. What is not looked at is no number.
+  ! Slaves in the facets, over them, one beside; multipliers of both signs. Entries that are not read are NaN.
   subroutine lay_out()
     integer :: i, c, e, node
     do e = 0, contacts
@@ -58,7 +58,7 @@ contains
     end do
   end subroutine lay_out
 
-  ! The nodes of a contact from a global array; assigned as integers, so that what is no number stays as it is.
+  ! The nodes of a contact from a global array; assigned as integers, so that a NaN keeps its bits.
   subroutine copy(from, e, to)
     real(dp), intent(in) :: from(3, 0:nodes - 1)
     integer, intent(in) :: e

@@ -168,7 +168,7 @@ static void interpolated(void)
                "project: a row that does not sum to one");
 }
 
-/* Of the multiplier's node neither x nor u is looked at. */
+/* Neither x nor u of the multiplier's node is read. */
 static void multiplier(void)
 {
   double history[3];

@@ -197,7 +197,7 @@ contains
       'project: a row that does not sum to one')
   end subroutine interpolated
 
-  ! Of the multiplier's node neither x nor u is looked at.
+  ! Neither x nor u of the multiplier's node is read.
   subroutine multiplier()
     real(dp), target :: history(3)
     logical :: pass

@@ -64,7 +64,7 @@ static int kind_sound(int32_t kind, int is_multiplier)
          (b.info.dimension == 3 || (kind != CTE_UNKNOWN_UZ && kind != CTE_UNKNOWN_TZ));
 }
 
-/* Every unknown has a place of its own, and its kind; multipliers come last, one per node, in order. */
+/* Every unknown has its place and its kind; multipliers come last, one per node, in order. */
 static int unknowns_sound(void)
 {
   int32_t node, kind, seen[ROOM_NODES][CTE_UNKNOWN_MULTIPLIER + 1] = {{0}};

@@ -81,7 +81,7 @@ contains
     if (is_multiplier) pass = kind == CTE_UNKNOWN_MULTIPLIER
   end function kind_sound
 
-  ! Every unknown has a place of its own, and its kind; multipliers come last, one per node, in order.
+  ! Every unknown has its place and its kind; multipliers come last, one per node, in order.
   function unknowns_sound() result(pass)
     logical :: pass
     integer(i4) :: node, kind, i

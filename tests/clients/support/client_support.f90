@@ -248,7 +248,7 @@ contains
     if (bench_is_multiplier(b, unknown)) position = first + (unknown - first)*b%info%dimension
   end function bench_position
 
-  ! Index from 0 of a named parameter, -1 when there is none.
+  ! Index from 0 of a named parameter, -1 if it does not exist.
   function bench_parameter(b, name) result(found)
     type(bench), intent(in) :: b
     character(len=*), intent(in) :: name

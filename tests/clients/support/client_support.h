@@ -65,7 +65,7 @@ int bench_multipliers(const bench *b);
 int bench_position(const bench *b, int unknown);
 int bench_is_multiplier(const bench *b, int unknown);
 
-/* Index of a named parameter, -1 when there is none; sets it. */
+/* Index of a named parameter, -1 if it does not exist; sets it. */
 int bench_parameter(const bench *b, const char *name);
 void bench_set(bench *b, const char *name, double value);
 

@@ -24,9 +24,9 @@ pub struct Outcome {
     pub scalars: [i32; 4],
     /// Digest of everything written.
     pub digest: u64,
-    /// Trial history, where it was wanted and written.
+    /// Trial history, if requested and written.
     pub history: Option<Vec<f64>>,
-    /// Output, where it was wanted and written.
+    /// Output, if requested and written.
     pub output: Option<Vec<f64>>,
 }
 

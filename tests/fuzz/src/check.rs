@@ -18,7 +18,7 @@ pub fn untouched(name: &str, output: &Output<f64>) -> Result<(), String> {
     }
 }
 
-/// The entries of `wanted` hold finite numbers, no other was written; `wanted` is in any order.
+/// Checks that the entries of `wanted` hold finite numbers and no other was written; `wanted` is in any order.
 pub fn written(
     name: &str,
     output: &Output<f64>,

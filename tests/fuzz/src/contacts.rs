@@ -8,12 +8,12 @@ use crate::plan::{Plan, request};
 use crate::scatter;
 use crate::state::State;
 
-/// Contacts of one element, and how they are handed in.
+/// Contacts of one element, and how they are passed.
 #[derive(Clone, Debug)]
 pub struct Contacts {
     /// The first contact; `old`, request, scales, edge and element count for all.
     pub plan: Plan,
-    /// As handed in.
+    /// As passed to the library.
     pub n: i64,
     /// Values of each.
     pub states: Vec<State>,
@@ -23,11 +23,11 @@ pub struct Contacts {
     pub strides: [[i64; 3]; 2],
     /// Node numbers, where coordinates are gathered.
     pub connectivity: Option<Vec<i32>>,
-    /// As handed in.
+    /// As passed to the library.
     pub global_nodes: i64,
-    /// As handed in.
+    /// As passed to the library.
     pub parameter_stride: i64,
-    /// Strides of f and K, as handed in.
+    /// Strides of f and K, as passed to the library.
     pub output_strides: [i64; 2],
     /// Whether f and K are added to a global vector and sparse values.
     pub scattered: bool,
@@ -41,7 +41,7 @@ pub struct Contacts {
     pub null: Option<usize>,
 }
 
-/// Contacts that the interface accepts, changed in none or some places.
+/// Contacts that the interface accepts, some of them changed in some places.
 pub fn contacts(harness: &mut Harness, entropy: &mut Entropy) -> Result<Contacts, String> {
     let mut plan = plan(harness, entropy)?;
     let element = harness.elements[plan.element].clone();

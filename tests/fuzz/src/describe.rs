@@ -139,7 +139,7 @@ fn find(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
         index.pointer
     };
     let find = harness.interface.table.element_find;
-    // SAFETY: as many bytes as the length says, or null.
+    // SAFETY: the number of bytes that the length says, or null.
     let code = harness.call(FIND, || unsafe { find(text, length, to) });
     harness.ledger.code(FIND, code);
     NUMBERS.code(code)?;
@@ -332,7 +332,7 @@ fn check_parameters(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
         index.pointer
     };
     let check = harness.interface.table.element_check_parameters;
-    // SAFETY: as many as are read, or null.
+    // SAFETY: the number of entries that are read, or null.
     let code = harness.call(CHECK, || unsafe { check(handle, list, count, to) });
     harness.ledger.code(CHECK, code);
     NUMBERS.code(code)?;

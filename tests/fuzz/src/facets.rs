@@ -6,7 +6,7 @@ use crate::entropy::Entropy;
 use crate::harness::Harness;
 use crate::state::{State, parameter, template};
 
-/// Facet, edge and vertex that belong together; without a name there is none.
+/// Facet, edge and vertex that belong together; an empty name stands for a missing one.
 pub const KINDS: [[&str; 3]; 6] = [
     ["PointQuad4", "PointLine2Oriented", "PointPointOriented"],
     ["PointTri3", "PointLine2Oriented", "PointPointOriented"],
@@ -26,7 +26,7 @@ const MOST_NODES: usize = 54;
 /// What `cte_patch` says.
 #[derive(Clone, Debug)]
 pub struct Facets {
-    /// Indices of facet, edge and vertex among all elements; none: null.
+    /// Indices of facet, edge and vertex among all elements; `None` for null.
     pub elements: [Option<usize>; 3],
     /// Slave points.
     pub slaves: usize,
@@ -36,9 +36,9 @@ pub struct Facets {
     pub count: usize,
     /// Master nodes of every facet.
     pub connectivity: Vec<i32>,
-    /// As handed in.
+    /// As passed to the library.
     pub reach: f64,
-    /// As handed in: slave points, master nodes, facets.
+    /// As passed to the library: slave points, master nodes, facets.
     pub counts: [i32; 3],
     /// `struct_size`; 0: as large as the struct.
     pub struct_size: u32,
@@ -178,7 +178,7 @@ impl Facets {
         self.elements[1 + entropy.below(2)] = at;
     }
 
-    /// Nodes that are none, one node twice, facets turned over, the same facet twice.
+    /// Invalid nodes, one node twice, facets reversed, the same facet twice.
     fn change_connectivity(&mut self, entropy: &mut Entropy) {
         let list = &mut self.connectivity;
         if list.is_empty() {

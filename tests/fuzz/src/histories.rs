@@ -19,7 +19,7 @@ const TRANSFER: usize = function("cte_history_transfer");
 const F77_INIT: usize = function("cte_f77_history_init_");
 const F77_AUGMENT: usize = function("cte_f77_history_augment_");
 const F77_TRANSFER: usize = function("cte_f77_history_transfer_");
-/// `CTE_ERROR_INDEX`, what Fortran gets for an element that is none.
+/// `CTE_ERROR_INDEX`, which Fortran gets for an element that does not exist.
 const NO_ELEMENT: i32 = -8;
 
 /// One of the three.
@@ -166,7 +166,7 @@ fn augment(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     check_carried(harness, plan, code, &to, &accepted)
 }
 
-/// The argument that an error names, one of these; none without an error.
+/// The argument that an error names, one of these; 0 without an error.
 fn check_fault<const N: usize>(code: i32, fault: &Output<i32>, named: [i32; N]) -> Checked {
     fault.check_margins("argument")?;
     let name = NUMBERS.code(code)?;

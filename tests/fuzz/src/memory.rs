@@ -111,7 +111,7 @@ impl Slot {
     }
 }
 
-/// An array that the library may write, until its slot is used anew.
+/// An array that the library may write, until its slot is reused.
 #[derive(Clone, Copy)]
 pub struct Output<T> {
     /// What the library gets.

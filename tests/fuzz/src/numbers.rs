@@ -74,7 +74,7 @@ impl Numbers {
     }
 }
 
-/// The name of a number, or that the header has none.
+/// The name of a number, or a note that the header has no such number.
 pub fn known<'a>(
     list: &'a BTreeMap<i32, String>,
     number: i32,

@@ -55,14 +55,14 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     }
 }
 
-/// The description of a patch, changed in none, one or some places.
+/// The description of a patch, changed in no, one or some places.
 fn info(harness: &mut Harness, mut facets: Facets, entropy: &mut Entropy) -> Checked {
     let edge = entropy.pick(&[Edge::End, Edge::Start]);
     for _ in 0..entropy.pick(&[0, 1, 1, 2]) {
         facets.change(harness, entropy);
     }
     if entropy.chance(1, 8) {
-        // as many as no array here could hold: only their number is looked at
+        // more than any array here could hold: only their number is checked
         facets.counts[0] = entropy.pick(&[1000, 1 << 20, 1 << 27]);
     }
     let size = entropy.struct_size::<Info>(INFO_IN_0_1);
@@ -82,7 +82,7 @@ fn info(harness: &mut Harness, mut facets: Facets, entropy: &mut Entropy) -> Che
     harness.show("patch info", &(&facets, size, missing));
     let patch = place(harness, &facets, edge);
     let describe = harness.interface.table.patch_info;
-    // SAFETY: null, or structs that begin with their size; as many entries as the header asks for.
+    // SAFETY: null, or structs that begin with their size; the entries are those that the header asks for.
     let code = harness.call(INFO, || unsafe { describe(patch, to, argument) });
     harness.ledger.code(INFO, code);
     block.check_margins("info")?;

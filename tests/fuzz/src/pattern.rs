@@ -8,15 +8,15 @@ use crate::state::State;
 /// A pattern and the elements that go into it.
 #[derive(Debug)]
 pub struct Pattern {
-    /// As handed in.
+    /// As passed to the library.
     pub n: i64,
-    /// As handed in.
+    /// As passed to the library.
     pub nslave: i32,
     /// Nodes of an element.
     pub nodes: usize,
     /// Nodes of each element.
     pub connectivity: Vec<i32>,
-    /// As handed in.
+    /// As passed to the library.
     pub rows: i64,
     /// Where each row begins, and the end of the last.
     pub start: Vec<i64>,
@@ -120,7 +120,7 @@ impl Pattern {
         }
     }
 
-    /// Where a row begins, and its columns; none where there is no such row.
+    /// Where a row begins, and its columns; `None` if there is no such row.
     fn row(&self, row: i64) -> Option<(usize, &[i32])> {
         let at = usize::try_from(row).ok().filter(|_| row < self.rows)?;
         let start = usize::try_from(*self.start.get(at)?).ok()?;

@@ -82,15 +82,15 @@ pub struct Plan {
     pub state: State,
     /// Whether `u` is not null.
     pub displaced: bool,
-    /// Accepted history; none: null.
+    /// Accepted history; `None` for null.
     pub old: Option<Vec<f64>>,
     /// Request bits.
     pub request: u32,
-    /// As handed in.
+    /// As passed to the library.
     pub nnode: i32,
-    /// As handed in.
+    /// As passed to the library.
     pub nslave: i32,
-    /// As handed in.
+    /// As passed to the library.
     pub parameter_count: i32,
     /// Strides of x and u.
     pub strides: [i64; 2],
@@ -178,7 +178,7 @@ impl Plan {
         last.map_or(unknowns, |last| usize::try_from(last + 1).unwrap_or(0))
     }
 
-    /// Strides of K with the default filled in; none where the interface must refuse them.
+    /// Strides of K with the default filled in; `None` where the interface must refuse them.
     pub fn k_layout(&self, unknowns: usize) -> Option<[usize; 2]> {
         let rows = self.rows(unknowns);
         let [row, column] = self.k_strides;

@@ -91,7 +91,7 @@ unsafe extern "C" fn evaluate(element: *const Descriptor, arguments: *mut Argume
 unsafe fn harm(sabotage: Sabotage, arguments: &mut Arguments, code: i32) -> i32 {
     let wants = |bit: u32| arguments.request & bit != 0 && code == 0;
     let energy = arguments.energy;
-    // SAFETY: none: this is the harm.
+    // SAFETY: not safe, this is the harm.
     unsafe {
         match sabotage {
             Sabotage::WriteBehind if wants(request::ENERGY) => *energy.add(1) = 0.0,

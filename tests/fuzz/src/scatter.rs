@@ -18,7 +18,7 @@ pub const PLACES: usize = 50;
 /// Places before those that the rows and columns of a node can reach from there.
 const FIRST: usize = PLACES - 8;
 
-/// Places for every entry or every pair of nodes, as the request says, none beyond [`PLACES`].
+/// Places for every entry or every pair of nodes, as the request says, no place beyond [`PLACES`].
 pub fn map(element: &Element, contacts: &Contacts, entropy: &mut Entropy) -> Vec<i64> {
     let (count, nodes) = (contacts.states.len(), contacts.plan.state.nodes);
     let unknowns = element.unknowns(nodes);

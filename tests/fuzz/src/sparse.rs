@@ -18,7 +18,7 @@ const UNSET: i64 = -77;
 /// Arguments that can be null: connectivity, columns, rows, map, element.
 const POINTERS: usize = 5;
 
-/// A full pattern, changed in none or some places, for both maps.
+/// A full pattern, changed in no or some places, for both maps.
 pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     let index = harness.element(entropy);
     let element = harness.elements[index].clone();

@@ -203,7 +203,7 @@ pub fn change_list(list: &mut [f64], whole: bool, entropy: &mut Entropy) {
 }
 
 /// Whether node `a` of a call is a tangent vector: the flags count from the last position backwards, since slave nodes
-/// given in the call are none.
+/// given in the call are positions.
 fn vector(element: &Element, positions: usize, a: usize) -> bool {
     let known = element.vectors.len() - element.multipliers;
     let at = (a + known).checked_sub(positions);

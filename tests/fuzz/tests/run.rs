@@ -13,7 +13,7 @@ use contact_fuzz::numbers::NUMBERS;
 use contact_fuzz::parent::{Options, Summary, replay, run};
 use contact_fuzz::sabotage::Sabotage;
 
-/// The shared library beside the program, built anew.
+/// The shared library beside the program, built again.
 static LIBRARY: LazyLock<PathBuf> = LazyLock::new(|| {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let built = Command::new(cargo)

@@ -27,7 +27,7 @@ pub fn raised<T>(run: impl FnOnce() -> T) -> (T, u32) {
     (run(), 0)
 }
 
-/// How a batch is handed over.
+/// How a batch is passed.
 #[derive(Clone, Copy, Debug)]
 pub struct Form {
     pub request: u32,

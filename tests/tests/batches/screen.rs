@@ -15,7 +15,7 @@ const CUT_BACK: i32 = 1;
 #[derive(Default)]
 struct Tally {
     left_out: usize,
-    /// Of a gap that is open at the foot.
+    /// Number of contacts whose gap is open at the foot.
     could_be: usize,
     evaluated: usize,
 }

@@ -130,7 +130,7 @@ fn jumps(beams: &Beams, at: fn(f64) -> Vec<f64>, steps: i32) -> [f64; 3] {
     [0, 1, 2].map(|k| most[k] / sizes[k])
 }
 
-/// The jumps shrink with the step of the sweep: there is none in the limit. All of the tangent included: the weight
+/// The jumps shrink with the step of the sweep, so there is no jump in the limit. The whole tangent is included: the weight
 /// is twice differentiable.
 fn check_sweep(name: &str, beams: &Beams, at: fn(f64) -> Vec<f64>) {
     let [coarse, fine] = [5760, 57600].map(|steps| jumps(beams, at, steps));
@@ -180,7 +180,7 @@ fn tangent_error(beams: &Beams, x: &[f64]) -> f64 {
     relative(&beams.at(x).tangent, &expected)
 }
 
-/// Angles of every branch: line alone (through 0), both, point alone; none within a step of the window's ends, where
+/// Angles of every branch: line alone (through 0), both, point alone; no angle within a step of the window's ends, where
 /// the third derivative jumps.
 #[test]
 fn the_tangent_is_the_derivative_of_the_force_in_every_branch() {

@@ -80,7 +80,7 @@ fn one_array_may_hold_both_histories() {
     assert_eq!(history, expected.history);
 }
 
-/// Contact begins without friction, from an open history as from none, wherever the point was before.
+/// Contact begins without friction, from an open history or without one, wherever the point was before.
 #[test]
 fn contact_begins_without_friction() {
     let mut pair = facet();

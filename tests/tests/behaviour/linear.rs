@@ -1,6 +1,6 @@
 //! Systems of linear equations, and Newton's method for the small models of the tests.
 
-/// x with A x = b, by elimination with the largest pivot; none where A is singular to rounding.
+/// x with A x = b, by elimination with the largest pivot; `None` where A is singular to rounding.
 pub fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
     const SINGULAR: f64 = 1e-13;
     let n = b.len();
@@ -35,7 +35,7 @@ pub fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
 }
 
 /// A zero of `system`, which returns residual and derivative, to `tolerance` in the largest entry of the
-/// residual; none after 30 steps or where the derivative is singular.
+/// residual; `None` after 30 steps or where the derivative is singular.
 pub fn newton(
     mut x: Vec<f64>,
     tolerance: f64,

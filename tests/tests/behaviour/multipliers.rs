@@ -73,7 +73,7 @@ fn rest(pair: &Pair, pull: f64) -> (Vec<f64>, State) {
     (found, state)
 }
 
-/// The pair with the history of an element that has none yet.
+/// The pair with the initial history of an element.
 fn fresh(name: &str) -> Pair {
     let mut pair = pair(name);
     pair.history = vec![0.0; pair.element.history()];
@@ -198,7 +198,7 @@ fn a_multiplier_holds_the_point_on_the_facet() {
     }
 }
 
-/// Where contact begins or ends, residual and energy go on without a jump, also in the multiplier.
+/// Where contact begins or ends, residual and energy are continuous, also in the multiplier.
 #[test]
 fn nothing_jumps_where_contact_begins() {
     let pair = pair("PointQuad4Multiplier");

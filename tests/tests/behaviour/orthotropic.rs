@@ -124,7 +124,7 @@ fn a_driven_point_feels_the_force_of_the_ellipse() {
         }
     }
     println!("ellipse: steady force of a driven point {most:.1e}, at 5.2778° to a slip at 30°");
-    // the distance to the steady state shrinks by a factor in every step: none is left
+    // the distance to the steady state shrinks by a factor in every step until it vanishes
     assert!(most < 1e-12);
 }
 

@@ -77,7 +77,7 @@ fn a_spring_and_friction_come_to_rest() {
     assert!(most[1] < 5e-6);
 }
 
-/// Under 8 cos t with a bound of 4.905: where it stops, sticks for a while, and goes on the other way. The
+/// Under 8 cos t with a bound of 4.905: where it stops, sticks for a while, and moves on the other way. The
 /// elastic part is 5e-6; a fraction of it is gained or lost at every stop and start.
 #[test]
 fn a_driven_block_stops_and_goes() {

@@ -44,7 +44,7 @@ impl Rope {
         rests
     }
 
-    /// Largest load over holding force of `nodes` nodes; none where not even equal tensions rest.
+    /// Largest load over holding force of `nodes` nodes; `None` where not even equal tensions rest.
     fn limit(&self, nodes: usize) -> Option<f64> {
         let mut tension = 1.0;
         for k in 0..nodes {

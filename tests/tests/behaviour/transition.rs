@@ -1,4 +1,4 @@
-//! From facet to edge to vertex: one pair for each point, forces that go on where the pair changes. [eq:transition]
+//! From facet to edge to vertex: each point uses one pair, and forces are continuous where it changes. [eq:transition]
 
 use contact_elements::{Evaluation, OUTPUT_SIZE, Patch, Registered, evaluate_patch};
 use contact_library::{
@@ -264,7 +264,7 @@ fn tangents_are_derivatives() {
     }
 }
 
-/// Facet to edge to vertex and on: the force goes on.
+/// From facet to edge to vertex and on: the force is continuous.
 #[test]
 fn forces_go_on_where_the_pair_changes() {
     let mut worst = 0.0_f64;

@@ -14,7 +14,7 @@ const ALL: u32 =
     request::RESIDUAL | request::TANGENT | request::HISTORY | request::OUTPUT | request::ENERGY;
 const UNTOUCHED: f64 = -123.456;
 
-/// How a batch is handed over.
+/// How a batch is passed.
 #[derive(Clone, Copy, Debug)]
 struct Form {
     request: u32,
@@ -81,7 +81,7 @@ struct Outputs {
     first: (i32, i32),
 }
 
-/// Evaluates all contacts; `threads` none: by the function without threads.
+/// Evaluates all contacts; without `threads` by the function without threads.
 fn evaluate(mesh: &Mesh, form: Form, threads: Option<i32>) -> Outputs {
     let (element, n, unknowns) = (mesh.element, mesh.count, mesh.unknowns);
     let [own_f, own_k] = [unknowns, unknowns * unknowns].map(|size| size + form.spare);

@@ -1,4 +1,4 @@
-//! Angles of pairs that have none, and entries that do not go with them.
+//! Angles of pairs that do not have one, and entries that exclude an angle.
 contact_elements::contact_elements! {
     normal law Bare(g; eps) { N = eps*g; }
     normal law Shifted(g; eps) { N = eps*g; W = eps*g*g/2 + 1; }

@@ -1,5 +1,5 @@
 //! Contact elements of a railway program: a wheel tread, a rail head, serendipity facets and a
-//! softened contact law of its own, beside geometries and laws of the built-in library.
+//! softened contact law, beside geometries and laws of the built-in library.
 
 contact_elements::contact_elements! {
     export rail;
@@ -84,7 +84,7 @@ contact_elements::contact_elements! {
     element Quad4Quad8 { slave: Quad4 at gauss(2, 2); master: Quad8; normal: Penalty; }
     /// A point of any discretisation on a built-in torus, softened.
     element InterpolatedTorus { slave: interpolated; master: Torus placed; normal: Softened; }
-    /// Point against a serendipity facet, softened, with friction of its own.
+    /// Point against a serendipity facet, softened, with declared friction.
     element PointQuad8Worn { slave: point; master: Quad8; normal: Softened; tangential: Worn; }
     /// Contact wires that slide on one another and grip.
     element ContactWires { slave: Line2; master: Line2; gap: distance; normal: Penalty; tangential: Coulomb; rolling: Grip; director: given; }

@@ -14,7 +14,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {}
 }
 
-// The precompiled core names an unwinding routine that nothing calls: panics abort, and there are none.
+// The precompiled core names an unwinding routine that nothing calls: no panic exists, and a panic would abort.
 #[cfg(all(
     target_os = "linux",
     any(target_arch = "x86_64", target_arch = "aarch64")

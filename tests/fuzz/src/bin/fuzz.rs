@@ -27,7 +27,7 @@ struct Arguments {
     /// Makes the call that a file of coverage-guided fuzzing stands for, alone
     #[arg(long, conflicts_with = "call")]
     input: Option<PathBuf>,
-    /// Processes; 0: as many as processors
+    /// Number of processes; 0 means one per processor
     #[arg(long, default_value_t = 0)]
     jobs: u64,
     /// Longest time that a call may take, in seconds
@@ -36,7 +36,7 @@ struct Arguments {
     /// Findings that end the run
     #[arg(long, default_value_t = 20)]
     enough: usize,
-    /// The shared library; built where none is given
+    /// The shared library; built if not given
     #[arg(long)]
     library: Option<PathBuf>,
     /// A library that is bad on purpose

@@ -108,7 +108,7 @@ int32_t cte_patch_evaluate(const cte_patch *patch, cte_arguments *arguments);
  * output differ; CTE_ERROR_ELEMENT: the elements have no friction, multiplier or side to carry, or differ in kind,
  * dimension or number of projected parameters; CTE_CUT_BACK: tangents or normal span no plane, normals are opposite, the
  * slip lies across the curve, or the anchor far outside. Unless the return is 0 to_history stays as it was, and contact
- * on `to` begins anew. */
+ * on `to` begins there. */
 int32_t cte_history_transfer(const cte_element *from, const double *from_output, const double *from_history,
                              const cte_element *to, const double *to_output, double *to_history, int32_t *argument);
 

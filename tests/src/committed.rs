@@ -16,7 +16,7 @@ pub fn assert_committed(path: &Path, text: &str) {
         .unwrap_or_else(|error| panic!("{}: {error}; CONTACT_BLESS=1 writes it", path.display()));
     if let Some((number, found, expected)) = first_difference(&found, text) {
         panic!(
-            "{}:{number} is out of date; CONTACT_BLESS=1 writes it anew\n\
+            "{}:{number} is out of date; CONTACT_BLESS=1 rewrites it\n\
              found:    {found}\nexpected: {expected}",
             path.display()
         );

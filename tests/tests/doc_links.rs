@@ -6,6 +6,7 @@ use contact_tests::documents::{
     problems_of_links, problems_of_paths, problems_of_tags, read, rust_blocks, term_table,
     term_tags, texts,
 };
+use contact_tests::words::problems_of_words;
 
 const LINEARISE: &str = "contact-macros/generator/src/linearise";
 const LIBRARY: [(&str, &[&str]); 3] = [
@@ -92,6 +93,18 @@ fn rust_in_the_docs_is_compiled() {
         }
     }
     assert!(count >= 5, "found only {count} blocks of Rust");
+}
+
+#[test]
+fn words_are_plain() {
+    let of_the_checks = ["tests/src/words.rs", "CHANGELOG.md"];
+    let [pages, code] = [pages(), texts(&[".rs", ".contact", ".h", ".f90", ".c"])].map(|texts| {
+        let of_others = texts
+            .into_iter()
+            .filter(|text| !of_the_checks.contains(&&*text.path));
+        of_others.collect::<Vec<_>>()
+    });
+    report(&problems_of_words(&pages, &code));
 }
 
 /// The checks see what is wrong.

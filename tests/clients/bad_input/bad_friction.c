@@ -78,7 +78,7 @@ static void parameters(void)
   bench_set(&b, "eps_2", 1e-300);
   bench_canary(&b);
   client_check(bench_evaluate(&b) == CTE_CUT_BACK && b.a.status == CTE_STATUS_LAW && bench_untouched(&b),
-               "friction, stiffnesses whose quotient is no number");
+               "friction, stiffnesses whose quotient is NaN");
   bench_open(&b, "PointQuad4Orthotropic");
   bench_set(&b, "eps_n", 1e-190);
   b.history_accepted[0] = CTE_STATUS_STICK;

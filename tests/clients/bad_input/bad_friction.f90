@@ -105,7 +105,7 @@ contains
     call bench_canary(b)
     found = bench_evaluate(b)
     call client_check(found == CTE_CUT_BACK .and. b%a%status == CTE_STATUS_LAW .and. bench_untouched(b), &
-      'friction, stiffnesses whose quotient is no number')
+      'friction, stiffnesses whose quotient is NaN')
     call bench_open(b, 'PointQuad4Orthotropic')
     b%parameters(bench_parameter(b, 'eps_n') + 1) = 1e-190_dp
     b%history_accepted(1) = CTE_STATUS_STICK

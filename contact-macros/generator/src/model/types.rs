@@ -220,13 +220,13 @@ pub struct Element {
     pub master: Master,
     /// The normal law.
     pub law: Rc<Law>,
-    /// Tangential law; none: frictionless.
+    /// Tangential law; `None` if frictionless.
     pub tangential: Option<Tangential>,
     /// How the normal law holds the bodies apart.
     pub enforcement: Enforcement,
-    /// Moments about two curves; none: they roll freely.
+    /// Moments about two curves; `None` if they roll freely.
     pub rolling: Option<Rolling>,
-    /// At which angles of two curves it acts; none: at all.
+    /// The angles of two curves at which it acts; `None` for all angles.
     pub angle: Option<Angle>,
     /// How the gap is measured.
     pub gap: Gap,

@@ -1,4 +1,4 @@
-//! Drops what no output needs and numbers the rest anew, in the old order.
+//! Drops what no output needs and renumbers the rest in the old order.
 
 use crate::ir::{NodeId, Program};
 

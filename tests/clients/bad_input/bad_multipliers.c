@@ -159,7 +159,7 @@ static void histories(const char *name)
   expect("history with a multiplier: no status", CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 0);
 }
 
-/* In u of the node; x and the other components are not looked at. */
+/* In u of the node; x and the other components are not read. */
 static void unknowns(void)
 {
   int pass = 1;
@@ -186,7 +186,7 @@ static void unknowns(void)
   }
 }
 
-/* Counts, strides and maps that do not know of the multiplier. */
+/* Counts, strides and maps that leave out the multiplier. */
 static void layouts(void)
 {
   static const int64_t k_stride[][2] = {{15, 1}, {1, 15}};
@@ -305,7 +305,7 @@ static void scales(void)
   }
 }
 
-/* From every kind of history to every other: with slip, with slip and multiplier, with multiplier, with neither. */
+/* From every kind of history to every other: with slip, with slip and multiplier, with multiplier, without both. */
 static void transfer(void)
 {
   static const char *const name[] = {"PointQuad4Coulomb",   "PointQuad4CoulombMultiplier", "PointQuad4CoulombAugmented",

@@ -198,7 +198,7 @@ contains
     call expect('history with a multiplier: no status', CTE_ERROR_HISTORY, CTE_ARGUMENT_HISTORY_ACCEPTED, 0)
   end subroutine histories
 
-  ! In u of the node; x and the other components are not looked at.
+  ! In u of the node; x and the other components are not read.
   subroutine unknowns()
     logical :: pass
     integer :: special, i
@@ -230,7 +230,7 @@ contains
     end do
   end subroutine unknowns_of_points
 
-  ! Counts, strides and maps that do not know of the multiplier.
+  ! Counts, strides and maps that leave out the multiplier.
   subroutine layouts()
     integer(i8), parameter :: k_stride(2, 2) = reshape([15_i8, 1_i8, 1_i8, 15_i8], [2, 2])
     integer(i4), parameter :: nnode(2) = [5, 7]
@@ -342,7 +342,7 @@ contains
     end do
   end subroutine scales
 
-  ! From every kind of history to every other: with slip, with slip and multiplier, with multiplier, with neither.
+  ! From every kind of history to every other: with slip, with slip and multiplier, with multiplier, without both.
   subroutine transfers()
     character(len=27), parameter :: name(6) = [character(len=27) :: 'PointQuad4Coulomb', &
       'PointQuad4CoulombMultiplier', frictional, 'PointQuad4Augmented', 'PointQuad4', element]

@@ -212,7 +212,7 @@ static void every_element(void)
   }
 }
 
-/* All nodes in one place, or as good as: tangents of length zero. */
+/* All nodes in one place, or nearly: tangents of length zero. */
 static void one_place(void)
 {
   static const char *const name[] = {"PointPoint", "PointQuad4", "PointQuad9", "PointTri3",

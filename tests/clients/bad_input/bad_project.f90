@@ -255,7 +255,7 @@ contains
     end do
   end subroutine every_element
 
-  ! All nodes in one place, or as good as: tangents of length zero.
+  ! All nodes in one place, or nearly: tangents of length zero.
   subroutine one_place()
     character(len=15), parameter :: name(6) = [character(len=15) :: 'PointPoint', 'PointQuad4', 'PointQuad9', &
       'PointTri3', 'Line2Line2Beams', 'PointHermite']

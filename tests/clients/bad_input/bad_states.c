@@ -84,7 +84,7 @@ static void folds(void)
   }
 }
 
-/* Forces of a power law that are numbers, but too large to make a tangent of: refused, and no trap. */
+/* Forces of a power law that are finite, but too large for a tangent: refused, and no trap. */
 static void huge_forces(void)
 {
   for (int i = 0; i < 2; i++) {

@@ -111,7 +111,7 @@ contains
     end do
   end subroutine folds
 
-  ! Forces of a power law that are numbers, but too large to make a tangent of: refused, and no trap.
+  ! Forces of a power law that are finite, but too large for a tangent: refused, and no trap.
   subroutine huge_forces()
     integer(i4) :: found
     integer :: i

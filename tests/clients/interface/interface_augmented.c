@@ -31,7 +31,7 @@ static int opened(bench *any, const char *name, double height)
   return 1;
 }
 
-/* Equilibrium of the point: spring u + f = load; the diagonal of K is all there is. */
+/* Equilibrium of the point: spring u + f = load; only the diagonal of K counts. */
 static int solved(bench *any, const double load[3])
 {
   double residual = 1.0;

@@ -28,7 +28,7 @@ contains
     if (bench_parameter(any_bench, 'eps_t') >= 0) call bench_set(any_bench, 'eps_t', eps_t)
   end subroutine opened
 
-  ! Equilibrium of the point: spring u + f = load; the diagonal of K is all there is.
+  ! Equilibrium of the point: spring u + f = load; only the diagonal of K counts.
   function solved(any_bench, load) result(pass)
     type(bench), intent(inout), target :: any_bench
     real(dp), intent(in) :: load(3)

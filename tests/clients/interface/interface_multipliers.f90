@@ -1,4 +1,4 @@
-! interface_multipliers.f90 - multipliers that are unknowns: a node of its own behind the others, one unknown.
+! interface_multipliers.f90 - multipliers that are unknowns: a separate node behind the others, with one unknown.
 !
 ! A point at (0.2, -0.1, g) over the square [-1,1]^2, whose normal is z and whose parameters are x and y: residual and
 ! tangent are written down by hand. N = multiplier + eps_n g.

@@ -180,7 +180,7 @@ static void multiplier(void)
                "project: x of a multiplier's node is not looked at");
 }
 
-/* Other layouts of the same numbers give the same bits; what stands between the nodes is not looked at. */
+/* Other layouts of the same numbers give the same bits; what stands between the nodes is not read. */
 static void layouts(void)
 {
   static double x[25], u[20];

@@ -212,7 +212,7 @@ contains
       'project: x of a multiplier''s node is not looked at')
   end subroutine multiplier
 
-  ! Other layouts of the same numbers give the same bits; what stands between the nodes is not looked at.
+  ! Other layouts of the same numbers give the same bits; what stands between the nodes is not read.
   subroutine layouts()
     real(dp), target :: x(5, 5), u(4, 5)
     type(cte_projection) :: dense

@@ -1,4 +1,4 @@
-! interface_transfer.f90 - the elastic slip goes along when a sliding point passes from one facet to the next.
+! interface_transfer.f90 - the elastic slip is carried along when a sliding point passes from one facet to the next.
 !
 ! Facet A is the square [-1,1]^2. Facet B joins it at x = 1, coplanar or turned about that edge; its nodes are
 ! counted from another corner and it is a parallelogram, so nothing but the slip in space is common to both.

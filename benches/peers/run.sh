@@ -5,7 +5,7 @@ set -eu
 : "${PEERS_KIT:?set PEERS_KIT to the folder of the peer kit}"
 PEERS_KIT=$(cd "$PEERS_KIT" && pwd)
 cd "$(dirname "$0")"
-TARGET=${CARGO_TARGET_DIR:-$PWD/target}
-RUSTFLAGS="-C target-cpu=native" cargo build --release --quiet --target-dir "$TARGET"
-export EXTRA="ours $TARGET/release/libcontact_peers.so ours_pts_q4 ours_pts_q4_cpp ours_ctc_l2"
+TARGET=${CARGO_TARGET_DIR:-$(dirname "$PWD")/target}
+RUSTFLAGS="-C target-cpu=native" cargo build --profile peers --quiet --target-dir "$TARGET"
+export EXTRA="ours $TARGET/peers/libcontact_peers.so ours_pts_q4 ours_pts_q4_cpp ours_ctc_l2"
 exec "$PEERS_KIT/run.sh"

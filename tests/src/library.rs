@@ -1,5 +1,6 @@
 //! The C library as a host sees it: a directory with the shared object, its links and the archive.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -26,22 +27,10 @@ impl Library {
     /// The shared object with what `abidw` needs, full debug information of the exported functions: only the
     /// last crate is compiled once more.
     pub fn with_debug_information() -> Self {
-        let mut command = cargo("build");
-        command.args(["-p", "contact-elements-capi"]);
-        let (built, _) = build(&mut command);
-        let artefact = |start: &str, end: &str| {
-            let name = |path: &Path| path.file_name()?.to_str().map(str::to_string);
-            let mut found = built.iter().filter(|path| {
-                name(path).is_some_and(|name| name.starts_with(start) && name.ends_with(end))
-            });
-            found
-                .next()
-                .unwrap_or_else(|| panic!("no {start}*{end} was built"))
-                .clone()
-        };
-        let elements = artefact("libcontact_elements-", ".rlib");
-        let all = artefact("libcontact_library-", ".rlib");
-        let macros = artefact("libcontact_macros-", ".so");
+        let built = built("contact-elements-capi");
+        let elements = artefact(&built, "libcontact_elements-", ".rlib");
+        let all = artefact(&built, "libcontact_library-", ".rlib");
+        let macros = artefact(&built, "libcontact_macros-", ".so");
         let library = Self::empty("contact_elements");
         let mut rustc = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
         rustc
@@ -156,6 +145,29 @@ fn build(command: &mut Command) -> (Vec<PathBuf>, String) {
     assert!(output.status.success(), "{command:?}:\n{stderr}");
     let files = artefacts(&String::from_utf8_lossy(&output.stdout));
     (files, stderr)
+}
+
+/// Builds a package of the workspace; its files and those of its dependencies.
+fn built(package: &str) -> Vec<PathBuf> {
+    build(cargo("build").args(["-p", package])).0
+}
+
+/// The crate that users name as their dependency, compiled as in the C library.
+pub fn elements_crate() -> PathBuf {
+    let built = built("contact-elements");
+    artefact(&built, "libcontact_elements-", ".rlib")
+}
+
+/// The file whose name begins and ends so.
+fn artefact(built: &[PathBuf], start: &str, end: &str) -> PathBuf {
+    let named = |path: &Path| {
+        let name = path.file_name().and_then(OsStr::to_str);
+        name.is_some_and(|name| name.starts_with(start) && name.ends_with(end))
+    };
+    let found = built.iter().find(|path| named(path));
+    found
+        .unwrap_or_else(|| panic!("no {start}*{end} was built"))
+        .clone()
 }
 
 /// Files of all artefacts in the messages of cargo.

@@ -15,7 +15,7 @@ struct Library {
 }
 
 /// Root of the workspace to which both belong.
-const MANIFEST: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
+const MANIFEST: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml");
 const LIBRARIES: [Library; 2] = [
     Library {
         name: "all built-in elements",

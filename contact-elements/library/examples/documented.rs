@@ -1,4 +1,4 @@
-//! The Rust code of the documentation, word for word: `tests/tests/doc_links.rs` compares it with `docs/`.
+//! The Rust code of the documentation, word for word: `tests/tests/source/doc_links.rs` compares it with `docs/`.
 //!
 //! Run: `cargo run --release -p contact-library --example documented`
 

@@ -32,6 +32,7 @@ pub struct Subject {
 }
 
 /// Every built-in element.
+#[cfg(feature = "library")]
 pub fn built_in() -> Result<Vec<Subject>, UnknownName> {
     contact_library::DESCRIPTIONS
         .iter()

@@ -167,7 +167,9 @@ mod failures {
         );
         let code = "\n```rust\nf[0](x)\n```\n";
         assert!(problems_of_links(&[text("docs/a.md", code)]).is_empty());
-        assert!(problems_of_paths(&[text("docs/a.md", "`tests/tests/doc_links.rs`")]).is_empty());
+        assert!(
+            problems_of_paths(&[text("docs/a.md", "`tests/tests/source/doc_links.rs`")]).is_empty()
+        );
         assert_eq!(
             problems_of_paths(&[text("docs/a.md", "`tests/absent.rs`")]).len(),
             1

@@ -73,7 +73,7 @@ impl ElementCertificate {
             operations: descriptor.operations,
             source_bytes,
             has_tangent: descriptor.tangent,
-            programs: programs(subject.description),
+            programs: programs(subject),
             random,
             sequences: None,
             invariance: Invariance::default(),
@@ -254,7 +254,7 @@ impl Certificate {
 }
 
 /// The programs of an element, those of its geometries and laws among them.
-fn programs(element: &'static ElementDescription) -> Vec<ProgramCost> {
+fn programs(subject: &Subject) -> Vec<ProgramCost> {
     let cost = |owner: &'static str| {
         move |program: &Program| ProgramCost {
             owner,
@@ -262,29 +262,9 @@ fn programs(element: &'static ElementDescription) -> Vec<ProgramCost> {
             operations: program.cost,
         }
     };
-    let own = element.programs;
-    let optional = [
-        &own.tangent,
-        &own.measure,
-        &own.frame,
-        &own.tangential_residual,
-        &own.tangential_tangent,
-    ];
-    let rolling = element.rolling.map(|rolling| {
-        let tangent = rolling.tangent.as_ref();
-        [Some(&rolling.angle), Some(&rolling.residual), tangent]
-    });
-    let angle = element.angle.map(|angle| {
-        let tangent = angle.tangent.as_ref();
-        let always = [&angle.position, &angle.weight, &angle.residual].map(Some);
-        [always[0], always[1], always[2], tangent]
-    });
-    let own = [Some(&own.gap)].into_iter();
-    let own = own
-        .chain(optional.into_iter().map(Option::as_ref))
-        .chain(rolling.into_iter().flatten())
-        .chain(angle.into_iter().flatten());
-    let mut list: Vec<ProgramCost> = own.flatten().map(cost("element")).collect();
+    let own = subject.programs().into_iter();
+    let mut list: Vec<ProgramCost> = own.map(cost("element")).collect();
+    let element = subject.description;
     for geometry in geometries(element) {
         let third = geometry
             .third

@@ -120,36 +120,47 @@ fn measured(subject: &Subject, length: Length, seed: u64) -> Option<(Global, f64
     Some((global, start.elapsed().as_secs_f64()))
 }
 
+const VERDICTS: [&str; 5] = ["inside", "boundary", "not_unique", "beyond", "undecided"];
+const FEATURES: [&str; 9] = [
+    "no_feature",
+    "feature_1",
+    "feature_2",
+    "feature_3",
+    "feature_4",
+    "feature_5",
+    "feature_6",
+    "feature_7",
+    "feature_8",
+];
+const EFFORTS: [&str; 4] = ["boxes", "boxes_most", "steps", "steps_most"];
+const COLD: [&str; 10] = [
+    "cold_inside",
+    "cold_outside",
+    "cold_not_converged",
+    "cold_not_unique",
+    "cold_degenerate",
+    "cold_answers",
+    "cold_iterations",
+    "cold_iterations_most",
+    "cold_at_most_3",
+    "cold_elsewhere",
+];
+const WARM: [&str; 9] = [
+    "warm_inside",
+    "warm_outside",
+    "warm_not_converged",
+    "warm_not_unique",
+    "warm_degenerate",
+    "warm_answers",
+    "warm_iterations",
+    "warm_iterations_most",
+    "warm_at_most_3",
+];
+
 /// Names and values of the CSV.
 fn columns(global: &Global) -> Vec<(&'static str, String)> {
-    let mut columns = Vec::new();
-    let verdicts = ["inside", "boundary", "not_unique", "beyond", "undecided"];
-    let features = [
-        "no_feature",
-        "feature_1",
-        "feature_2",
-        "feature_3",
-        "feature_4",
-        "feature_5",
-        "feature_6",
-        "feature_7",
-        "feature_8",
-    ];
-    let counted = |names: &[&'static str], counters: &[u64]| -> Vec<(&'static str, String)> {
-        let values = counters.iter().map(u64::to_string);
-        names.iter().copied().zip(values).collect()
-    };
-    columns.extend(counted(&verdicts, &global.verdicts));
-    columns.extend(counted(&features, &global.features));
-    columns.extend(counted(
-        &["boxes", "boxes_most", "steps", "steps_most"],
-        &[
-            global.boxes.sum,
-            global.boxes.most,
-            global.steps.sum,
-            global.steps.most,
-        ],
-    ));
+    let (boxes, steps) = (&global.boxes, &global.steps);
+    let efforts = [boxes.sum, boxes.most, steps.sum, steps.most];
     let local = |local: &Local| {
         let Effort {
             count,
@@ -161,36 +172,20 @@ fn columns(global: &Global) -> Vec<(&'static str, String)> {
         counters.extend([count, sum, most, few, local.elsewhere]);
         counters
     };
-    let cold = [
-        "cold_inside",
-        "cold_outside",
-        "cold_not_converged",
-        "cold_not_unique",
-        "cold_degenerate",
-        "cold_answers",
-        "cold_iterations",
-        "cold_iterations_most",
-        "cold_at_most_3",
-        "cold_elsewhere",
+    let judged = [global.finding.tried, global.finding.failed];
+    let blocks: [(&[&'static str], Vec<u64>); 6] = [
+        (&VERDICTS, global.verdicts.to_vec()),
+        (&FEATURES, global.features.to_vec()),
+        (&EFFORTS, efforts.to_vec()),
+        (&COLD, local(&global.cold)),
+        (&WARM, local(&global.warm)),
+        (&["judged", "wrong"], judged.to_vec()),
     ];
-    let warm = [
-        "warm_inside",
-        "warm_outside",
-        "warm_not_converged",
-        "warm_not_unique",
-        "warm_degenerate",
-        "warm_answers",
-        "warm_iterations",
-        "warm_iterations_most",
-        "warm_at_most_3",
-    ];
-    columns.extend(counted(&cold, &local(&global.cold)));
-    columns.extend(counted(&warm, &local(&global.warm)));
-    columns.extend(counted(
-        &["judged", "wrong"],
-        &[global.finding.tried, global.finding.failed],
-    ));
-    columns
+    let columns = blocks.into_iter().flat_map(|(names, counters)| {
+        let values = counters.into_iter().map(|counter| counter.to_string());
+        names.iter().copied().zip(values)
+    });
+    columns.collect()
 }
 
 /// Work of the three projections.

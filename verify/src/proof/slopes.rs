@@ -253,18 +253,7 @@ fn errors(
             (changed.residual, changed.tangent)
         }
     };
-    // D²g = (K/w − N' δg δg)/N with δg = R/(w N), for the linear law N = N' g
-    let report = truth.points.first()?;
-    let scale = report.force * report.weight;
-    let slope = report.force / report.gap;
-    let n = residual.len();
-    let hessian: Vec<f64> = (0..n * n)
-        .map(|at| {
-            let (i, j) = (at / n, at % n);
-            let main = slope * report.weight * (residual[i] / scale) * (residual[j] / scale);
-            (tangent[at] - main) / scale
-        })
-        .collect();
+    let hessian = gap_hessian(truth.points.first()?, &residual, &tangent);
     let distance = match configuration.pair.gap {
         GapKind::Signed => point.gap * fraction,
         GapKind::Distance | GapKind::Oriented => {
@@ -276,6 +265,19 @@ fn errors(
         relative_error(&hessian, &exact),
         relative_error(&tangent, &truth.tangent),
     ))
+}
+
+/// D²g = (K/w − N' δg δg)/N with δg = R/(w N), for the linear law N = N' g.
+fn gap_hessian(report: &PointReport, residual: &[f64], tangent: &[f64]) -> Vec<f64> {
+    let scale = report.force * report.weight;
+    let slope = report.force / report.gap;
+    let n = residual.len();
+    let entry = |at: usize| {
+        let (i, j) = (at / n, at % n);
+        let main = slope * report.weight * (residual[i] / scale) * (residual[j] / scale);
+        (tangent[at] - main) / scale
+    };
+    (0..n * n).map(entry).collect()
 }
 
 /// What the order of an error must be.

@@ -97,31 +97,7 @@ pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
         sliding::derivatives(&mut finding, law, seed);
     }
     for subject in subjects {
-        let programs = subject.description.programs;
-        for program in [
-            Some(&programs.gap),
-            programs.tangent.as_ref(),
-            programs.measure.as_ref(),
-            programs.frame.as_ref(),
-            programs.tangential_residual.as_ref(),
-            programs.tangential_tangent.as_ref(),
-            subject.description.rolling.map(|own| &own.angle),
-            subject.description.rolling.map(|own| &own.residual),
-            subject
-                .description
-                .rolling
-                .and_then(|own| own.tangent.as_ref()),
-            subject.description.angle.map(|own| &own.position),
-            subject.description.angle.map(|own| &own.weight),
-            subject.description.angle.map(|own| &own.residual),
-            subject
-                .description
-                .angle
-                .and_then(|own| own.tangent.as_ref()),
-        ]
-        .into_iter()
-        .flatten()
-        {
+        for program in subject.programs() {
             bits(&mut finding, subject.name(), program, seed);
         }
     }

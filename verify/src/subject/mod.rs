@@ -3,6 +3,7 @@
 mod call;
 mod history;
 mod parameters;
+mod programs;
 
 pub use call::{Answer, Input, UNTOUCHED, Wanted};
 

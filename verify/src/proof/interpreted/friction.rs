@@ -27,6 +27,31 @@ pub(super) struct Contact<'a, const D: usize> {
     pub(super) variation: &'a [f64],
 }
 
+/// A tangential law in an element.
+pub(super) struct LawOfElement<'a> {
+    pub(super) law: &'a TangentialLawPrograms,
+    /// Where its parameters begin.
+    pub(super) parameters: usize,
+    /// Sites of its terms.
+    pub(super) friction: TermSite,
+    pub(super) sliding: TermSite,
+}
+
+/// What a force depends on, besides the slip.
+pub(super) struct Load {
+    pub(super) pressure: f64,
+    pub(super) path: f64,
+    pub(super) slips: bool,
+}
+
+/// t, ∂t/∂s, ∂t/∂p and the stored energy.
+pub(super) struct Force {
+    pub(super) t: Vec<f64>,
+    pub(super) c: Vec<f64>,
+    pub(super) h: Vec<f64>,
+    pub(super) energy: f64,
+}
+
 /// Slip, frame and force of the point.
 pub(super) struct State {
     s: Vec<f64>,
@@ -103,36 +128,40 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         let program = self.subject.description.programs.frame.as_ref();
         let values = program.map_or(vec![], |frame| interpret(frame, &inputs, None));
         let (s, frame) = (values[..P].to_vec(), values[P..P + P * P].to_vec());
-        let places = [TermSite::Friction, TermSite::Sliding];
-        let own = self.subject.description.layout.tangential;
-        let load = (-contact.traction, path, contact.slips[0]);
-        let force = self.force_of((law, own, places), &s, load);
+        let law = LawOfElement {
+            law,
+            parameters: self.subject.description.layout.tangential,
+            friction: TermSite::Friction,
+            sliding: TermSite::Sliding,
+        };
+        let load = Load {
+            pressure: -contact.traction,
+            path,
+            slips: contact.slips[0],
+        };
+        let force = self.force_of(&law, &s, &load);
         State {
             s,
             frame,
-            force: force.0.clone(),
-            t: force.0,
-            c: force.1,
-            h: force.2,
-            energy: force.3,
+            force: force.t.clone(),
+            t: force.t,
+            c: force.c,
+            h: force.h,
+            energy: force.energy,
             slope,
             tangent,
         }
     }
 
-    /// t, ∂t/∂s, ∂t/∂p and the stored energy.
-    pub(super) fn force_of(
-        &self,
-        (law, own, [friction, sliding]): (&TangentialLawPrograms, usize, [TermSite; 2]),
-        s: &[f64],
-        (pressure, path, slips): (f64, f64, bool),
-    ) -> (Vec<f64>, Vec<f64>, Vec<f64>, f64) {
+    /// Force of a law at the slip s.
+    pub(super) fn force_of(&self, of: &LawOfElement<'_>, s: &[f64], load: &Load) -> Force {
+        let law = of.law;
         let count = s.len();
         let length = s.iter().map(|s| s * s).sum::<f64>().sqrt();
-        let own = &self.parameters[own..];
-        let mut inputs = vec![pressure, path + length];
+        let own = &self.parameters[of.parameters..];
+        let mut inputs = vec![load.pressure, load.path + length];
         inputs.extend_from_slice(own);
-        let values = interpret(&law.friction, &inputs, self.change(friction));
+        let values = interpret(&law.friction, &inputs, self.change(of.friction));
         let axes = if law.orthotropic { 2 } else { 1 };
         let stiffness = |q: usize| values[q % axes];
         let both = [s[0], s.get(1).copied().unwrap_or(0.0)];
@@ -142,13 +171,13 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         for q in 0..count {
             c[q * count + q] = stiffness(q);
         }
-        if let (true, Some(program)) = (slips, &law.sliding) {
+        if let (true, Some(program)) = (load.slips, &law.sliding) {
             let mut inputs = both.to_vec();
             inputs.extend_from_slice(&values);
             if law.orthotropic {
                 inputs.push(ellipse(both, &values));
             }
-            let slide = interpret(program, &inputs, self.change(sliding));
+            let slide = interpret(program, &inputs, self.change(of.sliding));
             for q in 0..count {
                 t[q] = slide[q];
                 h[q] = slide[6 + q];
@@ -158,7 +187,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             }
         }
         let energy = (0..count).map(|q| t[q] * t[q] / (2.0 * stiffness(q))).sum();
-        (t, c, h, energy)
+        Force { t, c, h, energy }
     }
 
     /// Row and vector of the slave curve's tangent, where it is an axis.
@@ -241,7 +270,37 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             inputs.extend_from_slice(&state.tangent);
         }
         let values = interpret(program, &inputs, self.change(TermSite::TangentialTangent));
-        let mut values = values.as_slice();
+        let (forms, cross) = self.tangential_forms(&values, point, contact, state);
+        let n = self.result.residual.len();
+        let sigma: Vec<f64> = (0..point.s.len())
+            .map(|a| (0..P).map(|i| cross[i] * point.ds[i][a]).sum())
+            .collect();
+        for i in 0..n {
+            for j in 0..n {
+                let mut sum = 0.0;
+                for q in 0..P {
+                    let measure = contact.variation.get(j).copied().unwrap_or(0.0);
+                    sum += contact.weight * forms[q][i] * forms[2 * P + q][j];
+                    sum += contact.weight * forms[P + q][i] * forms[q][j];
+                    sum += forms[q][i] * state.t[q] * measure;
+                }
+                if i % D == j % D {
+                    let (a, b) = (i / D, j / D);
+                    sum += contact.weight * (point.s[a] * sigma[b] + sigma[a] * point.s[b]);
+                }
+                self.result.tangent[i * n + j] += sum;
+            }
+        }
+    }
+
+    /// The forms Z, −P and G over all unknowns, P of each, and the coefficients of the crossed terms.
+    fn tangential_forms(
+        &self,
+        mut values: &[f64],
+        point: &Point<D, P>,
+        contact: &Contact<'_, D>,
+        state: &State,
+    ) -> (Vec<Vec<f64>>, Vec<f64>) {
         let mut take = |count: usize| {
             let (head, tail) = values.split_at(count);
             values = tail;
@@ -270,27 +329,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             let form = [vectors, bending, slave];
             forms.push(self.row_of(&form.concat(), point, contact.n, &state.slope));
         }
-        let cross = take(P);
-        let n = self.result.residual.len();
-        let sigma: Vec<f64> = (0..point.s.len())
-            .map(|a| (0..P).map(|i| cross[i] * point.ds[i][a]).sum())
-            .collect();
-        for i in 0..n {
-            for j in 0..n {
-                let mut sum = 0.0;
-                for q in 0..P {
-                    let measure = contact.variation.get(j).copied().unwrap_or(0.0);
-                    sum += contact.weight * forms[q][i] * forms[2 * P + q][j];
-                    sum += contact.weight * forms[P + q][i] * forms[q][j];
-                    sum += forms[q][i] * state.t[q] * measure;
-                }
-                if i % D == j % D {
-                    let (a, b) = (i / D, j / D);
-                    sum += contact.weight * (point.s[a] * sigma[b] + sigma[a] * point.s[b]);
-                }
-                self.result.tangent[i * n + j] += sum;
-            }
-        }
+        (forms, take(P).to_vec())
     }
 
     /// A linear form over all unknowns, in the global frame.

@@ -4,7 +4,7 @@ use contact_elements::program::RollingDescription;
 use contact_elements::runtime::Receiver;
 
 use super::assembly::Assembly;
-use super::friction::{Contact, State};
+use super::friction::{Contact, LawOfElement, Load, State};
 use super::rows::Point;
 use super::site::TermSite;
 use crate::interpret::interpret;
@@ -107,17 +107,22 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         };
         for c in 0..2 {
             let turned = (angles[c] - own[c]).sin().atan2((angles[c] - own[c]).cos());
-            let law = (
-                rolling.law,
-                rolling.layout.law,
-                [TermSite::RollingLaw, TermSite::RollingSliding],
-            );
-            let load = (-contact.traction, own[2 + c], contact.slips[1 + c]);
-            let (value, stiffness, by_pressure, energy) = self.force_of(law, &[turned], load);
-            moments.value.extend(value);
-            moments.stiffness.extend(stiffness);
-            moments.by_pressure.extend(by_pressure);
-            moments.energy += energy;
+            let law = LawOfElement {
+                law: rolling.law,
+                parameters: rolling.layout.law,
+                friction: TermSite::RollingLaw,
+                sliding: TermSite::RollingSliding,
+            };
+            let load = Load {
+                pressure: -contact.traction,
+                path: own[2 + c],
+                slips: contact.slips[1 + c],
+            };
+            let moment = self.force_of(&law, &[turned], &load);
+            moments.value.extend(moment.t);
+            moments.stiffness.extend(moment.c);
+            moments.by_pressure.extend(moment.h);
+            moments.energy += moment.energy;
         }
         moments
     }

@@ -20,8 +20,8 @@ use contact_verify::subject::{self, Subject};
 struct Options {
     #[command(subcommand)]
     command: Option<Command>,
-    /// Random states per element and status.
-    #[arg(long, default_value_t = 10_000)]
+    /// Random states per element and status; the recorded hardest states come on top.
+    #[arg(long, default_value_t = 1_000)]
     states: u64,
     /// The long run: 100000 states per element and status.
     #[arg(long)]

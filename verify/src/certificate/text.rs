@@ -186,3 +186,47 @@ fn slope_line(name: &str, slopes: &Slopes) -> String {
     line.push('\n');
     line
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::proof::random::RandomStates;
+    use crate::subject::built_in;
+
+    /// The widest rows of all built-in elements fit.
+    #[test]
+    fn the_summary_fits_a_terminal_of_100_columns() {
+        let subjects = built_in().unwrap_or_else(|unknown| panic!("{unknown}"));
+        let mut certificate = Certificate {
+            version: "0",
+            seed: 20_150,
+            states: 100_000,
+            elements: vec![],
+            tables: Finding::default(),
+            edges: Finding::default(),
+            reference: Finding::default(),
+            reference_cases: vec![],
+            coverage: Finding::default(),
+            stages: vec![],
+        };
+        for subject in &subjects {
+            let mut random = RandomStates::default();
+            let mut found = crate::proof::random::Random::default();
+            found.finding.tried = 400_000;
+            found.residual.error = 1.2e-13;
+            random.stick = Some(found);
+            let mut element = ElementCertificate::new(subject, 359_000, random);
+            (element.mutants.killed, element.mutants.made) = (333, 333);
+            certificate.elements.push(element);
+        }
+        let text = certificate.to_short_text();
+        assert_eq!(
+            text.lines().take_while(|line| !line.is_empty()).count(),
+            subjects.len() + 1
+        );
+        for line in text.lines() {
+            assert!(line.chars().count() <= 100, "{line}");
+        }
+        assert!(certificate.to_text().contains("terms left out"));
+    }
+}

@@ -28,9 +28,14 @@ pub fn equip(configuration: &mut Configuration, wanted: Wanted, stream: &mut Str
         .map(|gap| law.force(gap.into()).re)
         .collect();
     let largest = alone.iter().fold(0.0_f64, |m, force| m.max(force.abs()));
+    let kind = Kind {
+        wanted,
+        unknown,
+        opened,
+    };
     let values = alone
         .into_iter()
-        .map(|force| draw(force, largest, (wanted, unknown, opened), stream))
+        .map(|force| draw(force, largest, &kind, stream))
         .collect();
     configuration.pair.multipliers = if unknown {
         Multipliers::Unknown(values)
@@ -46,28 +51,32 @@ fn plain(configuration: &Configuration) -> Option<Vec<f64>> {
     Some(reports.iter().map(|point| point.gap).collect())
 }
 
+/// What a multiplier is drawn for.
+struct Kind {
+    wanted: Wanted,
+    /// Whether multipliers are unknowns.
+    unknown: bool,
+    /// Whether the law alone leaves all points open.
+    opened: bool,
+}
+
 /// A multiplier for a law that gives `force` alone. It is never positive where it is held. Where it pulls, a fifth of
 /// the law's force remains, so that the sum keeps the digits of the gap.
-fn draw(
-    force: f64,
-    largest: f64,
-    (wanted, unknown, opened): (Wanted, bool, bool),
-    stream: &mut Stream,
-) -> f64 {
-    if wanted == Wanted::Open {
-        let pulls = unknown && stream.sign() > 0.0;
+fn draw(force: f64, largest: f64, kind: &Kind, stream: &mut Stream) -> f64 {
+    if kind.wanted == Wanted::Open {
+        let pulls = kind.unknown && stream.sign() > 0.0;
         return if pulls {
             largest * stream.uniform(0.0, 2.0)
         } else {
             -force.max(0.0) * stream.uniform(0.0, 0.9)
         };
     }
-    if opened {
+    if kind.opened {
         return -largest * stream.uniform(1.2, 3.0);
     }
     match stream.index(3) {
         0 => 0.0,
-        1 if unknown => (-force).max(0.0) * stream.uniform(0.0, 0.8),
+        1 if kind.unknown => (-force).max(0.0) * stream.uniform(0.0, 0.8),
         _ => -largest * stream.log_uniform(1e-3, 3.0),
     }
 }

@@ -28,12 +28,14 @@ fn turned(angle: f64, height: f64) -> [[f64; 3]; 2] {
 fn case(
     name: &'static str,
     slave: Slave,
-    (own, other, curve): (&[[f64; 3]], &[[f64; 3]], Shape),
-    (small, window): (bool, [f64; 2]),
+    own: &[[f64; 3]],
+    other: &[[f64; 3]],
+    curve: Shape,
+    angle: Angle,
     expected: Expected,
 ) -> EdgeCase {
     let mut pair = pair(3, slave, shape(curve), GapKind::Distance, 0.5);
-    pair.angle = Some(Angle { small, window });
+    pair.angle = Some(angle);
     EdgeCase {
         name,
         pair,
@@ -49,8 +51,11 @@ fn large() -> Vec<EdgeCase> {
     let beams = |name, angle, height, window, expected| {
         let slave = Slave::Curve(Interpolation::new(Shape::Line2));
         let own = turned(angle, height);
-        let nodes = (&own[..], &LINE[..], Shape::Line2);
-        case(name, slave, nodes, (false, window), expected)
+        let angle = Angle {
+            small: false,
+            window,
+        };
+        case(name, slave, &own, &LINE, Shape::Line2, angle, expected)
     };
     let at = |name, angle, expected| beams(name, angle, 0.25, WINDOW, expected);
     let from_zero = |name, angle, expected| beams(name, angle, 0.25, [0.0, 0.2], expected);
@@ -82,8 +87,11 @@ fn small() -> Vec<EdgeCase> {
             measure: Measure::Unit,
         };
         let own = turned(angle, height);
-        let nodes = (&own[..], &LINE[..], Shape::Line2);
-        case(name, slave, nodes, (true, WINDOW), expected)
+        let angle = Angle {
+            small: true,
+            window: WINDOW,
+        };
+        case(name, slave, &own, &LINE, Shape::Line2, angle, expected)
     };
     vec![
         beams("small: parallel", 0.0, 0.25, Closed),
@@ -104,8 +112,11 @@ fn curved() -> Vec<EdgeCase> {
         let (s, c) = angle.sin_cos();
         let own = [first, [c, s, 0.0], last, [c, s, 0.0]];
         let slave = Slave::Curve(Interpolation::new(Shape::Hermite));
-        let nodes = (&own[..], &BEAM[..], Shape::Hermite);
-        case(name, slave, nodes, (false, WINDOW), expected)
+        let angle = Angle {
+            small: false,
+            window: WINDOW,
+        };
+        case(name, slave, &own, &BEAM, Shape::Hermite, angle, expected)
     };
     vec![
         beams("large: parallel Hermite beams", 0.0, Open),

@@ -157,7 +157,7 @@ pub fn judge(case: &Case, answer: &Answer, stream: &mut Stream) -> Option<Measur
             .filter(|&v| v != UNTOUCHED),
         verdict: Verdict::Exact,
     };
-    measurement.verdict = verdict(case, &measurement, answer, (&truth, &disturbed));
+    measurement.verdict = verdict(case, &measurement, answer, &truth, &disturbed);
     Some(measurement)
 }
 
@@ -178,7 +178,8 @@ fn verdict(
     case: &Case,
     m: &Measurement,
     answer: &Answer,
-    (truth, disturbed): (&Truth, &[Truth]),
+    truth: &Truth,
+    disturbed: &[Truth],
 ) -> Verdict {
     if let Some(what) = not_finite(answer) {
         return Verdict::Failed(format!("{what} {NOT_FINITE}"));

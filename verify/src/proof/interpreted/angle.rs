@@ -5,6 +5,7 @@ use contact_elements::program::{AngleDescription, SlaveDescription};
 use contact_elements::runtime::Receiver;
 
 use super::assembly::Assembly;
+use super::friction::Contact;
 use super::rows::Point;
 use super::site::TermSite;
 use crate::interpret::interpret;
@@ -63,14 +64,13 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         &mut self,
         blend: Option<Blend>,
         point: &Point<D, P>,
-        (n, distance, weight): (&[f64; D], f64, f64),
-        zeta: [f64; 2],
+        contact: &Contact<'_, D>,
     ) {
         let (Some(angle), Some(blend)) = (self.subject.description.angle, blend) else {
             return;
         };
-        let mut inputs = n.to_vec();
-        inputs.push(distance);
+        let mut inputs = contact.n.to_vec();
+        inputs.push(contact.distance);
         inputs.extend(blend.tangents.iter().flatten());
         let second = if P == 2 { vec![0, 2] } else { vec![0] };
         inputs.extend(second.iter().flat_map(|&h| point.second[h]));
@@ -82,14 +82,14 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         let values = interpret(&angle.residual, &of_residual, change);
         let rows = self.angle_rows(&blend, point);
         for (i, entry) in self.form(&values, &rows).into_iter().enumerate() {
-            self.force((i / D, i % D), weight * entry, false);
+            self.force((i / D, i % D), contact.weight * entry, false);
         }
-        let third = self.third(zeta);
+        let third = self.third(contact.zeta);
         let third = third.chunks_exact(D).enumerate();
         let own = third.filter(|(h, _)| P == 1 || *h == 0 || *h == 3);
         inputs.extend(own.flat_map(|(_, vector)| vector.to_vec()));
         inputs.extend([slope, energy, curvature, traction]);
-        self.blended_tangent(angle, &inputs, &rows, weight);
+        self.blended_tangent(angle, &inputs, &rows, contact.weight);
     }
 
     fn blended_tangent(

@@ -84,9 +84,6 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             None => weight * law.get(2).copied().unwrap_or(f64::NAN),
             Some(_) => weight * traction * traction / (2.0 * slope), // less what `constants` adds
         });
-        let coefficients = self.coefficients(&point, &n, distance, (traction, slope), weight);
-        let moved: Vec<f64> = variation.iter().map(|v| v * traction).collect();
-        self.contract(&point, &normal, &coefficients, &moved);
         let contact = Contact {
             number,
             zeta,
@@ -98,8 +95,11 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             weight,
             variation: &variation,
         };
+        let coefficients = self.coefficients(&point, &contact);
+        let moved: Vec<f64> = variation.iter().map(|v| v * traction).collect();
+        self.contract(&point, &normal, &coefficients, &moved);
         self.tangential(&point, &contact);
-        self.blended(blend, &point, (&n, distance, weight), zeta);
+        self.blended(blend, &point, &contact);
     }
 
     /// The constant energy of the multipliers that are unknowns.

@@ -4,6 +4,7 @@ use contact_elements::program::MasterDescription;
 use contact_elements::runtime::{Coefficients, Temporaries, contract};
 
 use super::assembly::Assembly;
+use super::friction::Contact;
 use super::rows::{Point, fill};
 use super::site::TermSite;
 use crate::interpret::interpret;
@@ -24,10 +25,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
     pub(super) fn coefficients(
         &self,
         point: &Point<D, P>,
-        n: &[f64; D],
-        distance: f64,
-        (traction, slope): (f64, f64),
-        weight: f64,
+        contact: &Contact<'_, D>,
     ) -> Coefficients<D, P> {
         let mut result = Coefficients::default();
         let Some(program) = &self.subject.description.programs.tangent else {
@@ -42,14 +40,14 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             inputs.extend(self.own_parameters());
             inputs.push(self.orientation());
         } else {
-            inputs = n.to_vec();
-            inputs.push(distance);
+            inputs = contact.n.to_vec();
+            inputs.push(contact.distance);
             inputs.extend(point.b.iter().flatten());
             inputs.extend(point.second.iter().flatten());
         }
-        inputs.extend([traction, slope]);
+        inputs.extend([contact.traction, contact.slope]);
         let values = interpret(program, &inputs, self.change(TermSite::Tangent));
-        let values: Vec<f64> = values.iter().map(|v| weight * v).collect();
+        let values: Vec<f64> = values.iter().map(|v| contact.weight * v).collect();
         let (p, rest) = values.split_at(D * D);
         fill(result.p.as_flattened_mut(), p.iter().copied());
         if !rest.is_empty() {

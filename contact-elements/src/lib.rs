@@ -6,7 +6,7 @@
 //! | feature | |
 //! |---|---|
 //! | `threads`, off | [`abi::element_evaluate_batch_threads`] has threads; needs the standard library |
-#![no_std]
+#![cfg_attr(not(test), no_std)]
 // [eq:…] names an equation of docs/, not an item; the documentation tests follow it
 #![allow(rustdoc::broken_intra_doc_links)]
 

@@ -13,6 +13,7 @@ pub mod header;
 pub mod library;
 mod paths;
 pub mod process;
+pub mod random;
 pub mod words;
 
 use std::path::PathBuf;

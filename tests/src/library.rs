@@ -154,8 +154,7 @@ fn built(package: &str) -> Vec<PathBuf> {
 
 /// The crate that users name as their dependency, compiled as in the C library.
 pub fn elements_crate() -> PathBuf {
-    let built = built("contact-elements");
-    artefact(&built, "libcontact_elements-", ".rlib")
+    artefact(&built("contact-elements"), "libcontact_elements", ".rlib")
 }
 
 /// The file whose name begins and ends so.

@@ -9,7 +9,7 @@ use contact_elements::abi::{
 };
 use contact_library::PointQuad4;
 
-use crate::states::Random;
+use crate::random::Random;
 
 const PARAMETERS: [f64; 3] = [1000.0, 0.0, 1.0];
 const UNKNOWNS: usize = 15;

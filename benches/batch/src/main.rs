@@ -6,6 +6,9 @@
 mod assembly;
 mod grid;
 mod peers;
+#[allow(dead_code, reason = "the tests need more of it")]
+#[path = "../../../tests/src/random.rs"]
+mod random;
 mod states;
 mod work;
 

@@ -1,5 +1,7 @@
 //! Random warped facets of size 2 with a point over each.
 
+use crate::random::Random;
+
 /// Points against bilinear facets.
 pub struct States {
     pub count: usize,
@@ -8,23 +10,6 @@ pub struct States {
     exact: Vec<f64>,
     /// The same, 0.05 off.
     near: Vec<f64>,
-}
-
-/// Numbers that look random.
-pub struct Random(pub u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.next() >> 11) as f64 / (1u64 << 53) as f64)
-    }
 }
 
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];

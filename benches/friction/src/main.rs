@@ -68,7 +68,11 @@ impl Case {
                 parameters: &self.parameters,
                 history: &self.history,
                 residual: &mut residual[..n],
-                tangent: if tangent.is_empty() { tangent } else { &mut tangent[..n * n] },
+                tangent: if tangent.is_empty() {
+                    tangent
+                } else {
+                    &mut tangent[..n * n]
+                },
                 output: &mut output[..points * OUTPUT_SIZE],
                 ..Evaluation::default()
             },
@@ -112,7 +116,9 @@ fn main() {
         let found = subjects.iter().find(|subject| subject.name() == name);
         found.unwrap_or_else(|| panic!("{name} is not a built-in element"))
     };
-    println!("| frictional element | status | without, ns | R and K, ns | ratio | R alone, ratio |");
+    println!(
+        "| frictional element | status | without, ns | R and K, ns | ratio | R alone, ratio |"
+    );
     println!("|---|---|---:|---:|---:|---:|");
     for (without, with) in PAIRS {
         let (without, with) = (find(without), find(with));

@@ -4,8 +4,8 @@
 
 use core::cell::Cell;
 
-use contact_library::{Line2Line2Beams, PointQuad4};
 use contact_elements::runtime::{Call, Coordinates, Nodes, Receiver, Report, Wanted, fixed};
+use contact_library::{Line2Line2Beams, PointQuad4};
 
 /// Dense R and K, row-major.
 struct Dense<'a, const U: usize> {
@@ -76,12 +76,8 @@ fn point_quad4(x: &[f64; 15], zeta: &[f64; 2], eps: f64, given: bool, mut dense:
             projection_given: given,
         },
     };
-    let outcome = fixed::<PointQuad4, _, 3, 2, 3, 5, 1, 16>(
-        &call,
-        &nodes(x, 5),
-        &[false; 5],
-        &mut dense,
-    );
+    let outcome =
+        fixed::<PointQuad4, _, 3, 2, 3, 5, 1, 16>(&call, &nodes(x, 5), &[false; 5], &mut dense);
     if outcome.is_err() {
         dense.residual[0] = f64::NAN;
     }

@@ -1,9 +1,9 @@
 //! Errors against octuple precision.
 
-use contact_verify::oracle::octuple::Octuple;
-use contact_verify::oracle::pair::Pair;
 use contact_verify::measure::stress::exact;
 use contact_verify::measure::stress::truth::{State, evaluate};
+use contact_verify::oracle::octuple::Octuple;
+use contact_verify::oracle::pair::Pair;
 use num_traits::Signed;
 
 use crate::Failure;

@@ -14,6 +14,8 @@
 pub(crate) mod angle;
 pub(crate) mod classify;
 pub(crate) mod contraction;
+#[cfg(test)]
+mod contraction_tests;
 pub(crate) mod driver;
 pub(crate) mod edge_side;
 pub(crate) mod gather;

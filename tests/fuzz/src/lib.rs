@@ -18,6 +18,7 @@ pub mod interface;
 pub mod ledger;
 pub mod memory;
 pub mod numbers;
+pub mod parameters;
 pub mod parent;
 pub mod patch;
 pub mod pattern;

@@ -1,27 +1,7 @@
 //! Random contacts of one element: good ones, and some that cannot be evaluated.
 
 use contact_elements::abi::{Descriptor, Sparse, csr_blocks, csr_map, element_history_init};
-
-/// Numbers that look random.
-pub struct Random(pub u64);
-
-impl Random {
-    pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.next() >> 11) as f64 / (1u64 << 53) as f64)
-    }
-
-    pub fn one_in(&mut self, n: u64) -> bool {
-        self.next().is_multiple_of(n)
-    }
-}
+use contact_tests::random::Random;
 
 /// Inputs of some contacts of one element.
 pub struct Contacts {
@@ -104,7 +84,7 @@ impl Contacts {
 
     fn add_nodes(&mut self, base: &[[f64; 3]], random: &mut Random) {
         let warp = if random.one_in(8) { 0.8 } else { 0.15 };
-        let scale = match random.next() % 24 {
+        let scale = match random.bits() % 24 {
             0 => 1e-12,
             1 => 1e25,
             2 => 1e7,
@@ -128,8 +108,8 @@ impl Contacts {
                 self.u.push(scale * random.within(-0.01, 0.01));
             }
         }
-        let place = |random: &mut Random| start + (random.next() as usize) % (d * base.len());
-        match random.next() % 40 {
+        let place = |random: &mut Random| start + (random.bits() as usize) % (d * base.len());
+        match random.bits() % 40 {
             0 => self.x[place(random)] = f64::NAN,
             1 => self.x[place(random)] = -2e30,
             2 => self.u[place(random)] = f64::INFINITY,
@@ -148,13 +128,13 @@ impl Contacts {
         let mut history = vec![0.0; self.element.history()];
         // SAFETY: the element's own, and a history of its length.
         unsafe { element_history_init(self.element, history.as_mut_ptr()) };
-        history[0] = (random.next() % 5) as f64;
+        history[0] = (random.bits() % 5) as f64;
         for value in &mut history[1..] {
             if !random.one_in(4) {
                 *value = random.within(-0.9, 0.9);
             }
         }
-        match random.next() % 50 {
+        match random.bits() % 50 {
             0 => history[1] = f64::NAN,
             1 => history[1] = 1e20,
             2 => history[0] = f64::NEG_INFINITY,

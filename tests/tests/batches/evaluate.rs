@@ -72,6 +72,97 @@ impl Outputs {
     }
 }
 
+/// Outputs before a call: sums begin at zero, everything else with a number that no evaluation gives.
+fn outputs(contacts: &Contacts, form: Form, rows: usize) -> Outputs {
+    let (count, element) = (contacts.count, contacts.element);
+    let unknowns = element.dimension * contacts.nodes;
+    let (sums, entries, first) = if form.scattered {
+        (rows, rows * rows, 0.0)
+    } else {
+        (unknowns * count, unknowns * unknowns * count, UNTOUCHED)
+    };
+    Outputs {
+        f: vec![first; sums],
+        k: vec![first; entries],
+        history: vec![UNTOUCHED; element.history() * count],
+        output: vec![UNTOUCHED; OUTPUT_SIZE * element.points * count],
+        energy: vec![UNTOUCHED; count],
+        status: vec![-1; count],
+        code: vec![-99; count],
+        returned: vec![],
+    }
+}
+
+/// What every call of a form has in common.
+fn batch(contacts: &Contacts, form: Form) -> Batch {
+    let (n, d) = (contacts.nodes, contacts.element.dimension);
+    let parameters = contacts.element.parameters.len();
+    let mut batch = Batch::EMPTY;
+    batch.request = form.request | form.blocks();
+    batch.parameter_count = parameters as i32;
+    batch.parameter_element_stride = if form.same_parameters {
+        0
+    } else {
+        parameters as i64
+    };
+    (batch.f_scale, batch.k_scale) = (form.scale, form.scale);
+    let [node, component] = if form.scattered { [d, 1] } else { form.strides };
+    (batch.x_node_stride, batch.x_component_stride) = (node as i64, component as i64);
+    batch.x_element_stride = if form.scattered {
+        0
+    } else {
+        (n * node.max(d * component)) as i64
+    };
+    batch
+}
+
+/// Points a batch at the contacts from `at` on; `x` is spread as the form says.
+///
+/// # Safety
+/// `at` is the number of a contact, and the arrays outlive the call of the batch.
+unsafe fn point_at(
+    batch: &mut Batch,
+    at: usize,
+    x: &[f64],
+    contacts: &Contacts,
+    form: Form,
+    out: &mut Outputs,
+) {
+    let (n, element) = (contacts.nodes, contacts.element);
+    let (d, points, parameters) = (element.dimension, element.points, element.parameters.len());
+    let unknowns = d * n;
+    // SAFETY: offsets within the arrays.
+    unsafe {
+        batch.x = x.as_ptr().add(at * batch.x_element_stride as usize);
+        if form.displacements {
+            batch.u = contacts
+                .u
+                .as_ptr()
+                .add(if form.scattered { 0 } else { at * unknowns });
+        }
+        batch.parameters = contacts.parameters.as_ptr();
+        if !form.same_parameters {
+            batch.parameters = batch.parameters.add(at * parameters);
+        }
+        batch.history_accepted = contacts.history.as_ptr().add(at * element.history());
+        batch.history_trial = out.history.as_mut_ptr().add(at * element.history());
+        batch.output = out.output.as_mut_ptr().add(at * OUTPUT_SIZE * points);
+        batch.energy = out.energy.as_mut_ptr().add(at);
+        batch.status = out.status.as_mut_ptr().add(at);
+        batch.code = out.code.as_mut_ptr().add(at);
+        if form.scattered {
+            batch.connectivity = contacts.connectivity.as_ptr().add(at * n);
+            batch.global_nodes = (out.f.len() / d) as i64;
+            batch.global_f = out.f.as_mut_ptr();
+            batch.csr_values = out.k.as_mut_ptr();
+            batch.csr_map = contacts.places(form.by_blocks, at).as_ptr();
+        } else {
+            batch.f = out.f.as_mut_ptr().add(at * unknowns);
+            batch.k = out.k.as_mut_ptr().add(at * unknowns * unknowns);
+        }
+    }
+}
+
 /// Evaluates `length` contacts at a time.
 pub fn evaluate(
     contacts: &Contacts,
@@ -80,77 +171,18 @@ pub fn evaluate(
     width: Width,
     length: usize,
 ) -> Outputs {
-    let (n, count, element) = (contacts.nodes, contacts.count, contacts.element);
-    let d = element.dimension;
-    let (unknowns, points) = (d * n, contacts.element.points);
-    let (sums, entries) = if form.scattered {
-        (rows, rows * rows)
-    } else {
-        (unknowns * count, unknowns * unknowns * count)
-    };
-    let first = if form.scattered { 0.0 } else { UNTOUCHED };
-    let mut out = Outputs {
-        f: vec![first; sums],
-        k: vec![first; entries],
-        history: vec![UNTOUCHED; element.history() * count],
-        output: vec![UNTOUCHED; OUTPUT_SIZE * points * count],
-        energy: vec![UNTOUCHED; count],
-        status: vec![-1; count],
-        code: vec![-99; count],
-        returned: vec![],
-    };
-    let [node, component] = if form.scattered { [d, 1] } else { form.strides };
-    let apart = if form.scattered {
-        0
-    } else {
-        n * node.max(d * component)
-    };
-    let strided = spread(contacts, form);
-    let mut batch = Batch::EMPTY;
-    batch.request = form.request | form.blocks();
-    batch.parameter_count = element.parameters.len() as i32;
-    batch.parameter_element_stride = if form.same_parameters {
-        0
-    } else {
-        element.parameters.len() as i64
-    };
-    (batch.f_scale, batch.k_scale) = (form.scale, form.scale);
+    let (count, element) = (contacts.count, contacts.element);
+    let x = spread(contacts, form);
+    let mut out = outputs(contacts, form, rows);
+    let mut batch = batch(contacts, form);
     for at in (0..count).step_by(length) {
-        let own = length.min(count - at);
-        // SAFETY: offsets within the arrays.
-        unsafe {
-            batch.x = strided.as_ptr().add(at * apart);
-            (batch.x_node_stride, batch.x_component_stride) = (node as i64, component as i64);
-            batch.x_element_stride = apart as i64;
-            if form.displacements {
-                batch.u = contacts
-                    .u
-                    .as_ptr()
-                    .add(if form.scattered { 0 } else { at * unknowns });
-            }
-            batch.parameters = contacts.parameters.as_ptr();
-            if !form.same_parameters {
-                batch.parameters = batch.parameters.add(at * element.parameters.len());
-            }
-            batch.history_accepted = contacts.history.as_ptr().add(at * element.history());
-            batch.history_trial = out.history.as_mut_ptr().add(at * element.history());
-            batch.output = out.output.as_mut_ptr().add(at * OUTPUT_SIZE * points);
-            batch.energy = out.energy.as_mut_ptr().add(at);
-            batch.status = out.status.as_mut_ptr().add(at);
-            batch.code = out.code.as_mut_ptr().add(at);
-            if form.scattered {
-                batch.connectivity = contacts.connectivity.as_ptr().add(at * n);
-                batch.global_nodes = (rows / d) as i64;
-                batch.global_f = out.f.as_mut_ptr();
-                batch.csr_values = out.k.as_mut_ptr();
-                batch.csr_map = contacts.places(form.by_blocks, at).as_ptr();
-            } else {
-                batch.f = out.f.as_mut_ptr().add(at * unknowns);
-                batch.k = out.k.as_mut_ptr().add(at * unknowns * unknowns);
-            }
-            let code = element_evaluate_batch_in(element, own as i64, &mut batch, width);
-            out.returned.push(code);
-        }
+        let own = length.min(count - at) as i64;
+        // SAFETY: `at` is below the number of contacts, and all arrays have the extents of the header.
+        let code = unsafe {
+            point_at(&mut batch, at, &x, contacts, form, &mut out);
+            element_evaluate_batch_in(element, own, &mut batch, width)
+        };
+        out.returned.push(code);
     }
     out
 }
@@ -186,61 +218,43 @@ pub fn forms() -> Vec<Form> {
         by_blocks: false,
         scale: 1.0,
     };
-    vec![
-        plain,
-        Form {
-            same_parameters: false,
-            ..plain
-        },
-        Form {
-            displacements: true,
-            ..plain
-        },
-        Form {
-            strides: [5, 1],
-            ..plain
-        },
-        Form {
-            strides: [1, 10],
-            ..plain
-        },
-        Form {
-            request: all | request::PROJECTION_GIVEN,
-            ..plain
-        },
-        Form {
-            request: all | request::FREEZE_STATE,
-            ..plain
-        },
-        Form {
-            request: all | request::SYMMETRISE,
-            ..plain
-        },
-        Form {
-            request: request::RESIDUAL,
-            ..plain
-        },
-        Form {
-            request: request::TANGENT | request::PROJECTION_GIVEN,
-            displacements: true,
-            ..plain
-        },
-        Form {
-            scale: -0.7,
-            ..plain
-        },
-        Form {
-            scattered: true,
-            ..plain
-        },
-        Form {
-            scattered: true,
-            displacements: true,
-            scale: 0.3,
-            same_parameters: false,
-            ..plain
-        },
-    ]
+    let requested = |request| Form { request, ..plain };
+    let moved = Form {
+        displacements: true,
+        ..plain
+    };
+    let own_parameters = Form {
+        same_parameters: false,
+        ..plain
+    };
+    let mut forms = vec![plain, own_parameters, moved];
+    forms.extend([[5, 1], [1, 10]].map(|strides| Form { strides, ..plain }));
+    let bits = [
+        request::PROJECTION_GIVEN,
+        request::FREEZE_STATE,
+        request::SYMMETRISE,
+    ];
+    forms.extend(bits.map(|bit| requested(all | bit)));
+    forms.push(requested(request::RESIDUAL));
+    forms.push(Form {
+        request: request::TANGENT | request::PROJECTION_GIVEN,
+        ..moved
+    });
+    forms.push(Form {
+        scale: -0.7,
+        ..plain
+    });
+    forms.push(Form {
+        scattered: true,
+        ..plain
+    });
+    forms.push(Form {
+        scattered: true,
+        scale: 0.3,
+        same_parameters: false,
+        ..moved
+    });
+    forms
 }
 
 /// Which output differs first, where, and its two values.

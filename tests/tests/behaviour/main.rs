@@ -1,11 +1,12 @@
 //! Behaviour of friction with known answers: closed forms, exact constructions, published numbers.
 //!
-//! One file per behaviour; `pair`, `vector` and `linear` are what they share. The numbers that the tests
+//! One file per behaviour; `pair`, `vector`, `linear`, `beams` and `surface` are what they share. The numbers that the tests
 //! print with `--nocapture` are those of `docs/verification.md`.
 #![allow(clippy::excessive_precision)] // exact answers, with the digits they were computed with
 
 mod all_angle;
 mod balance;
+mod beams;
 mod crossing;
 mod cylinders;
 mod dragging;
@@ -28,6 +29,7 @@ mod rope;
 mod rotation;
 mod seam;
 mod static_kinetic;
+mod surface;
 mod transition;
 mod vector;
 mod via_curve;

@@ -27,7 +27,7 @@ fn compiled(source: &Path, elements: &Path) -> (bool, String) {
         .arg("--extern")
         .arg(external)
         .arg("-L")
-        .arg(elements.parent().expect("a folder"))
+        .arg(elements.with_file_name("deps"))
         .arg(source)
         // The messages name the file as it is given here.
         .current_dir(workspace("tests"));

@@ -1,6 +1,8 @@
 //! A batch by several threads gives the bits of one thread: outputs of every contact, sums into shared arrays, codes.
 
 mod mesh;
+#[path = "../../src/random.rs"]
+mod random;
 
 use contact_elements::abi::{
     Batch, Descriptor, OUTPUT_SIZE, argument, code, element_batch_workspace,
@@ -81,67 +83,85 @@ struct Outputs {
     first: (i32, i32),
 }
 
-/// Evaluates all contacts; without `threads` by the function without threads.
-fn evaluate(mesh: &Mesh, form: Form, threads: Option<i32>) -> Outputs {
-    let (element, n, unknowns) = (mesh.element, mesh.count, mesh.unknowns);
-    let [own_f, own_k] = [unknowns, unknowns * unknowns].map(|size| size + form.spare);
-    let (history, points) = (element.history(), element.points);
-    let mut numbers = [
+/// Outputs before the call; sums begin with something that is rounded.
+fn blank(mesh: &Mesh, form: Form) -> [(&'static str, Vec<f64>); 7] {
+    let n = mesh.count;
+    let [own_f, own_k] = own_sizes(mesh, form);
+    let rising = |count: usize, by: f64| (0..count).map(|i| by * i as f64).collect();
+    [
         ("f", vec![UNTOUCHED; own_f * n]),
         ("k", vec![UNTOUCHED; own_k * n]),
         ("history", mesh.history.clone()),
-        ("output", vec![UNTOUCHED; OUTPUT_SIZE * points * n]),
-        ("energy", vec![UNTOUCHED; n]),
-        // sums begin with something that is rounded
-        ("global f", (0..mesh.rows).map(|i| 0.1 * i as f64).collect()),
         (
-            "csr",
-            (0..mesh.columns.len()).map(|i| 0.3 * i as f64).collect(),
+            "output",
+            vec![UNTOUCHED; OUTPUT_SIZE * mesh.element.points * n],
         ),
-    ];
-    let [f, k, new, output, energy, global_f, csr] =
-        numbers.each_mut().map(|(_, values)| values.as_mut_ptr());
-    let (mut status, mut codes) = (vec![-1; n], vec![-99; n]);
-    // SAFETY: the element's own.
-    let needed = unsafe { element_batch_workspace(element, mesh.slaves as i32) };
-    let mut workspace = vec![0.0; needed as usize];
+        ("energy", vec![UNTOUCHED; n]),
+        ("global f", rising(mesh.rows, 0.1)),
+        ("csr", rising(mesh.columns.len(), 0.3)),
+    ]
+}
+
+/// Distances between f and k of neighbouring contacts.
+fn own_sizes(mesh: &Mesh, form: Form) -> [usize; 2] {
+    [mesh.unknowns, mesh.unknowns * mesh.unknowns].map(|size| size + form.spare)
+}
+
+/// The batch with its request and inputs.
+fn inputs(mesh: &Mesh, form: Form) -> Batch {
     let mut batch = Batch::EMPTY;
     batch.request = form.request;
     if form.by_blocks {
         batch.request |= request::CSR_BY_BLOCKS;
     }
     batch.nslave = mesh.slaves as i32;
-    batch.parameter_count = element.parameters.len() as i32;
+    batch.parameter_count = mesh.element.parameters.len() as i32;
     batch.parameter_element_stride = i64::from(batch.parameter_count);
     batch.parameters = mesh.parameters.as_ptr();
     (batch.x, batch.u) = (mesh.x.as_ptr(), mesh.u.as_ptr());
     batch.connectivity = mesh.connectivity.as_ptr();
     batch.global_nodes = (mesh.x.len() / 3) as i64;
-    batch.history_accepted = if form.in_place {
-        new
-    } else {
-        mesh.history.as_ptr()
-    };
-    batch.history_trial = new;
+    batch.history_accepted = mesh.history.as_ptr();
     batch.slave_row = mesh.slave_rows.as_ptr();
+    let map = if form.by_blocks {
+        &mesh.blocks
+    } else {
+        &mesh.map
+    };
+    if form.scattered {
+        batch.csr_map = map.as_ptr();
+    }
+    (batch.f_scale, batch.k_scale) = (form.scale, form.scale);
+    batch
+}
+
+/// Evaluates all contacts; `threads` none: by the function without threads.
+fn evaluate(mesh: &Mesh, form: Form, threads: Option<i32>) -> Outputs {
+    let (element, n) = (mesh.element, mesh.count);
+    assert_eq!(element.history() * n, mesh.history.len());
+    let mut numbers = blank(mesh, form);
+    let [f, k, trial, output, energy, global_f, csr] =
+        numbers.each_mut().map(|(_, values)| values.as_mut_ptr());
+    let (mut status, mut codes) = (vec![-1; n], vec![-99; n]);
+    // SAFETY: the element's own.
+    let needed = unsafe { element_batch_workspace(element, mesh.slaves as i32) };
+    let mut workspace = vec![0.0; needed as usize];
+    let mut batch = inputs(mesh, form);
+    if form.in_place {
+        batch.history_accepted = trial;
+    }
+    batch.history_trial = trial;
     if form.dense {
+        let [own_f, own_k] = own_sizes(mesh, form);
         (batch.f, batch.k) = (f, k);
         (batch.f_element_stride, batch.k_element_stride) = (own_f as i64, own_k as i64);
     }
     if form.scattered {
         (batch.global_f, batch.csr_values) = (global_f, csr);
-        let map = if form.by_blocks {
-            &mesh.blocks
-        } else {
-            &mesh.map
-        };
-        batch.csr_map = map.as_ptr();
     }
-    (batch.f_scale, batch.k_scale) = (form.scale, form.scale);
     (batch.output, batch.energy) = (output, energy);
     (batch.status, batch.code) = (status.as_mut_ptr(), codes.as_mut_ptr());
     (batch.workspace, batch.workspace_size) = (workspace.as_mut_ptr(), needed);
-    assert_eq!(history * n, mesh.history.len());
     // SAFETY: all arrays have the extents of the header.
     let returned = unsafe {
         match threads {

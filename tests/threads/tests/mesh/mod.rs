@@ -4,25 +4,7 @@ use std::collections::BTreeSet;
 
 use contact_elements::abi::{Descriptor, Sparse, csr_blocks, csr_map, element_history_init};
 
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.next() >> 11) as f64 / (1u64 << 53) as f64)
-    }
-
-    fn one_in(&mut self, n: u64) -> bool {
-        self.next().is_multiple_of(n)
-    }
-}
+use crate::random::Random;
 
 /// Contacts on a facet: the more share an entry, the more does the order of a sum matter.
 const PER_FACET: usize = 4;
@@ -74,7 +56,7 @@ impl Mesh {
         let mut order: Vec<usize> = (0..count).collect();
         if is_shuffled {
             for last in (1..count).rev() {
-                order.swap(last, random.next() as usize % (last + 1));
+                order.swap(last, random.bits() as usize % (last + 1));
             }
         }
         for number in order {

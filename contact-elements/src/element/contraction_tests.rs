@@ -1,6 +1,6 @@
 //! Rows of K against the sum that they stand for [eq:contraction], one by one and several at a time.
 
-use contact_elements::runtime::{Coefficients, Receiver, Report, Temporaries, contract};
+use crate::runtime::{Coefficients, Receiver, Report, Temporaries, contract};
 
 const MOST: usize = 40;
 

@@ -1,5 +1,5 @@
 ! contact_elements.f90 - the Fortran side of contact_elements.h, shipped as source: compile it with the
-! host's own compiler. The same names, the same layout; units, signs, shapes and failures are in the header.
+! host's own compiler. The same names, the same layout; units, signs, shapes and failures are in the headers.
 !
 !   Indices      from 0, as in C: elements, nodes, unknowns, parameters, unknown_map and connectivity.
 !   Memory       a fresh variable of a type below begins as by the header's initialisers: its size, scales of 1, zeros.
@@ -451,22 +451,95 @@ module contact_elements
       integer(i4) :: code
     end function cte_api
 
-    ! The Fortran 77 entries, for hosts that want their arguments checked
-    subroutine cte_f77_evaluate(element, request, nnode, nslave, x, u, parameters, parameter_count, &
-        history_accepted, history_trial, slave_row, f, k, ldk, output, energy, status, code) &
-        bind(c, name='cte_f77_evaluate_')
-      import :: i4, dp
-      integer(i4), intent(in) :: element, request, nnode, nslave, parameter_count, ldk
-      real(dp), intent(in) :: x(*), u(*), parameters(*), history_accepted(*), slave_row(*)
-      real(dp), intent(inout) :: history_trial(*), f(*), k(ldk, *), output(*), energy
-      integer(i4), intent(inout) :: status, code
-    end subroutine cte_f77_evaluate
+    ! The Fortran 77 entries, for hosts that want their arguments checked; shapes in contact_elements_f77.h
+    subroutine cte_f77_find(name, length, element, code) bind(c, name='cte_f77_find_')
+      import :: i4
+      integer(i4), intent(in) :: name(*), length
+      integer(i4), intent(inout) :: element, code
+    end subroutine cte_f77_find
 
-    subroutine cte_f77_info(element, nnode, sizes) bind(c, name='cte_f77_info_')
+    subroutine cte_f77_info(element, nnode, sizes, code) bind(c, name='cte_f77_info_')
       import :: i4
       integer(i4), intent(in) :: element, nnode
-      integer(i4), intent(inout) :: sizes(8)
+      integer(i4), intent(inout) :: sizes(*), code
     end subroutine cte_f77_info
+
+    subroutine cte_f77_message(element, code, state, text, size, length) bind(c, name='cte_f77_message_')
+      import :: i4
+      integer(i4), intent(in) :: element, code, state(*), size
+      integer(i4), intent(inout) :: text(*), length
+    end subroutine cte_f77_message
+
+    subroutine cte_f77_evaluate(element, request, nnode, nslave, x, ldx, u, ldu, parameters, &
+        parameter_count, history_accepted, history_trial, slave_row, mapped, map, f_scale, k_scale, f, k, &
+        ldk, output, energy, workspace, workspace_size, state, code) bind(c, name='cte_f77_evaluate_')
+      import :: i4, dp
+      integer(i4), intent(in) :: element, request, nnode, nslave, ldx, ldu, parameter_count, mapped, map(*), ldk
+      integer(i4), intent(in) :: workspace_size
+      real(dp), intent(in) :: x(*), u(*), parameters(*), history_accepted(*), slave_row(*), f_scale, k_scale
+      real(dp), intent(inout) :: history_trial(*), f(*), k(ldk, *), output(*), energy, workspace(*)
+      integer(i4), intent(inout) :: state(*), code
+    end subroutine cte_f77_evaluate
+
+    subroutine cte_f77_project(element, nnode, nslave, x, ldx, u, ldu, parameters, parameter_count, &
+        slave_row, reach, result, history, state, code) bind(c, name='cte_f77_project_')
+      import :: i4, dp
+      integer(i4), intent(in) :: element, nnode, nslave, ldx, ldu, parameter_count
+      real(dp), intent(in) :: x(*), u(*), parameters(*), slave_row(*), reach
+      real(dp), intent(inout) :: result(*), history(*)
+      integer(i4), intent(inout) :: state(*), code
+    end subroutine cte_f77_project
+
+    subroutine cte_f77_patch_info(numbers, connectivity, reach, sizes, argument, code) &
+        bind(c, name='cte_f77_patch_info_')
+      import :: i4, dp
+      integer(i4), intent(in) :: numbers(*), connectivity(*)
+      real(dp), intent(in) :: reach
+      integer(i4), intent(inout) :: sizes(*), argument, code
+    end subroutine cte_f77_patch_info
+
+    subroutine cte_f77_patch_evaluate(numbers, connectivity, reach, request, nnode, x, ldx, u, ldu, &
+        parameters, parameter_count, history_accepted, history_trial, mapped, map, f_scale, k_scale, f, k, &
+        ldk, output, energy, workspace, workspace_size, state, code) bind(c, name='cte_f77_patch_evaluate_')
+      import :: i4, dp
+      integer(i4), intent(in) :: numbers(*), connectivity(*), request, nnode, ldx, ldu, parameter_count, mapped, map(*)
+      integer(i4), intent(in) :: ldk, workspace_size
+      real(dp), intent(in) :: reach, x(*), u(*), parameters(*), history_accepted(*), f_scale, k_scale
+      real(dp), intent(inout) :: history_trial(*), f(*), k(ldk, *), output(*), energy, workspace(*)
+      integer(i4), intent(inout) :: state(*), code
+    end subroutine cte_f77_patch_evaluate
+
+    subroutine cte_f77_batch(element, n, request, nslave, global_nodes, connectivity, x, ldx, u, ldu, &
+        parameters, parameter_count, ldp, history_accepted, history_trial, slave_row, into, f_scale, &
+        k_scale, f, k, global_f, csr_values, csr_map, output, energy, statuses, codes, workspace, &
+        workspace_size, state, code) bind(c, name='cte_f77_batch_')
+      import :: i4, i8, dp
+      integer(i4), intent(in) :: element, n, request, nslave, global_nodes, connectivity(*), ldx, ldu
+      integer(i4), intent(in) :: parameter_count, ldp, into, workspace_size
+      real(dp), intent(in) :: x(*), u(*), parameters(*), history_accepted(*), slave_row(*), f_scale, k_scale
+      integer(i8), intent(in) :: csr_map(*)
+      real(dp), intent(inout) :: history_trial(*), f(*), k(*), global_f(*), csr_values(*), output(*), energy(*)
+      real(dp), intent(inout) :: workspace(*)
+      integer(i4), intent(inout) :: statuses(*), codes(*), state(*), code
+    end subroutine cte_f77_batch
+
+    subroutine cte_f77_csr_map(element, n, nslave, connectivity, rows, row_start, column, map, code) &
+        bind(c, name='cte_f77_csr_map_')
+      import :: i4, i8
+      integer(i4), intent(in) :: element, n, nslave, connectivity(*), rows, column(*)
+      integer(i8), intent(in) :: row_start(*)
+      integer(i8), intent(inout) :: map(*)
+      integer(i4), intent(inout) :: code
+    end subroutine cte_f77_csr_map
+
+    subroutine cte_f77_csr_blocks(element, n, nslave, connectivity, rows, row_start, column, map, code) &
+        bind(c, name='cte_f77_csr_blocks_')
+      import :: i4, i8
+      integer(i4), intent(in) :: element, n, nslave, connectivity(*), rows, column(*)
+      integer(i8), intent(in) :: row_start(*)
+      integer(i8), intent(inout) :: map(*)
+      integer(i4), intent(inout) :: code
+    end subroutine cte_f77_csr_blocks
 
     subroutine cte_f77_history_init(element, history, code) bind(c, name='cte_f77_history_init_')
       import :: i4, dp

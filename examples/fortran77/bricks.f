@@ -3,9 +3,10 @@ C
 C     An upper brick is pushed onto a lower one; four contact elements
 C     PointQuad4 join the upper brick's lower nodes (slaves) to the
 C     lower brick's top face (master). Newton with the element's
-C     tangent. The element writes into EK(LDK,15), whose leading
-C     dimension is larger than the element. bricks.c and bricks.f90 are
-C     the twins.
+C     tangent. The host has four rows per node, as one with temperatures
+C     would: the element writes -f and K into the rows of a map, and
+C     reads displacements of leading dimension 4. bricks.c and bricks.f90
+C     are the twins.
 C
 C     Reference: the same problem in six independent finite-element
 C     programs. Units: any consistent set. Parameters of PointQuad4 in
@@ -48,15 +49,18 @@ C     Each step begins with the upper brick moved along rigidly.
 C     Coordinates, elastic stiffness and the first history.
       LOGICAL FUNCTION START(X, U, KE, HOLD)
       DOUBLE PRECISION X(3,16), U(48), KE(48,48), HOLD(16,4)
-      INTEGER ISIZES(8), C, I, CODE
+      INTEGER C, I, CODE
       INCLUDE 'contact_elements.inc'
+      INTEGER ISIZES(0:CTE_F77_SIZES-1)
       START = .FALSE.
-      CALL CTE_F77_INFO(CTE_POINT_QUAD4, 0, ISIZES)
-      IF (ISIZES(1) .NE. 3 .OR. ISIZES(2) .NE. 5 .OR. ISIZES(3) .NE. 15
-     1    .OR. ISIZES(4) .GT. 16 .OR. ISIZES(5) .GT. 16
-     2    .OR. ISIZES(6) .NE. 1 .OR. ISIZES(7) .NE. 2
-     3    .OR. ISIZES(8) .NE. 1) THEN
-        WRITE (*, '(A,8I6)') 'FAIL sizes of PointQuad4', ISIZES
+      CALL CTE_F77_INFO(CTE_POINT_QUAD4, 0, ISIZES, CODE)
+      IF (CODE .NE. CTE_SUCCESS .OR. ISIZES(CTE_F77_SIZE_UNKNOWNS)
+     1    .NE. 15 .OR. ISIZES(CTE_F77_SIZE_PARAMETERS) .NE. 3
+     2    .OR. ISIZES(CTE_F77_SIZE_HISTORY) .GT. 16
+     3    .OR. ISIZES(CTE_F77_SIZE_POINTS) .NE. 1
+     4    .OR. ISIZES(CTE_F77_SIZE_SYMMETRIC) .NE. 1
+     5    .OR. ISIZES(CTE_F77_SIZE_WORKSPACE) .NE. 0) THEN
+        WRITE (*, '(A,13I6)') 'FAIL sizes of PointQuad4', ISIZES
         RETURN
       END IF
       DO 10 C = 1, 4
@@ -75,42 +79,49 @@ C     Coordinates, elastic stiffness and the first history.
       END
 
 C     One contact element. CON: its nodes, slave first, then the facet
-C     counter-clockwise seen from above. EF [force], EK [force/length].
-      SUBROUTINE CONTAC(X, U, CON, HOLD, HNEW, EF, EK, LDK, CODE)
-      INTEGER CON(5), LDK, CODE
-      DOUBLE PRECISION X(3,16), U(3,16), HOLD(16), HNEW(16), EF(15)
-      DOUBLE PRECISION EK(LDK,15)
-C     Request bits: residual 1, tangent 2, history 4.
-      INTEGER IREQ, NPAR, A, I, STATUS, ISIZES(8)
-      PARAMETER (IREQ = 1 + 2 + 4)
-      DOUBLE PRECISION XL(3,5), UL(3,5), PAR(16), OUT(11), ENERGY, ROW
+C     counter-clockwise seen from above. P: -f [force], S: K
+C     [force/length], both in rows of four per node.
+      SUBROUTINE CONTAC(X, U, CON, HOLD, HNEW, P, S, CODE)
+      INTEGER CON(5), CODE
+      DOUBLE PRECISION X(3,16), U(3,16), HOLD(16), HNEW(16), P(20)
+      DOUBLE PRECISION S(20,20), XL(3,5), UL(4,5), PAR(3), ENERGY, WORK
+      INTEGER A, I, MAP(15), IREQ
       INCLUDE 'contact_elements.inc'
-      DO 10 I = 1, 16
-        PAR(I) = 0.0D0
-   10 CONTINUE
-      PAR(1) = 1.0D4
+      INTEGER ISTATE(0:CTE_F77_STATES-1)
+      DOUBLE PRECISION OUT(0:CTE_OUTPUT_SIZE-1)
+      PARAMETER (IREQ = CTE_RESIDUAL + CTE_TANGENT + CTE_HISTORY)
+C     eps_n, r0, orientation
+      DATA PAR /1.0D4, 0.0D0, 1.0D0/
       DO 30 A = 1, 5
+        UL(4,A) = 0.0D0
         DO 20 I = 1, 3
           XL(I,A) = X(I,CON(A))
           UL(I,A) = U(I,CON(A))
+          MAP(3*A-3+I) = 4*A - 5 + I
    20   CONTINUE
    30 CONTINUE
-      CALL CTE_F77_INFO(CTE_POINT_QUAD4, 0, ISIZES)
-      NPAR = ISIZES(4)
-      ROW = 0.0D0
-      CALL CTE_F77_EVALUATE(CTE_POINT_QUAD4, IREQ, 5, 0, XL, UL, PAR,
-     1    NPAR, HOLD, HNEW, ROW, EF, EK, LDK, OUT, ENERGY, STATUS, CODE)
-      IF (CODE .NE. 0)
-     1    WRITE (*, '(A,I4,A,I4)') 'FAIL code', CODE, ' status', STATUS
+      CALL CTE_F77_EVALUATE(CTE_POINT_QUAD4, IREQ, 5, 0, XL, 3, UL, 4,
+     1    PAR, 3, HOLD, HNEW, WORK, 1, MAP, -1.0D0, 1.0D0, P, S, 20,
+     2    OUT, ENERGY, WORK, 0, ISTATE, CODE)
+      IF (CODE .NE. CTE_SUCCESS) CALL REASON(ISTATE, CODE)
+      END
+
+C     Says why a contact element failed.
+      SUBROUTINE REASON(ISTATE, CODE)
+      INTEGER CODE, LENGTH, I
+      INCLUDE 'contact_elements.inc'
+      INTEGER ISTATE(0:CTE_F77_STATES-1), ITEXT(120)
+      CALL CTE_F77_MESSAGE(CTE_POINT_QUAD4, CODE, ISTATE, ITEXT, 120,
+     1    LENGTH)
+      WRITE (*, '(121A)') 'FAIL ', (CHAR(ITEXT(I)), I = 1, 120)
       END
 
 C     Internal force F and tangent K of bricks and contacts at U.
       SUBROUTINE ASSEMB(X, U, KE, HOLD, HNEW, F, K, CODE)
       DOUBLE PRECISION X(3,16), U(48), KE(48,48), HOLD(16,4), HNEW(16,4)
       DOUBLE PRECISION F(48), K(48,48)
-      INTEGER CODE, LDK, C, I, J, ROW(15), CON(5)
-      PARAMETER (LDK = 20)
-      DOUBLE PRECISION EF(15), EK(LDK,15)
+      INTEGER CODE, C, I, J, ROW(20), CON(5)
+      DOUBLE PRECISION P(20), S(20,20)
       CALL COPY(48*48, KE, K)
       DO 20 I = 1, 48
         F(I) = 0.0D0
@@ -123,17 +134,21 @@ C     Internal force F and tangent K of bricks and contacts at U.
         DO 30 I = 2, 5
           CON(I) = 3 + I
    30   CONTINUE
-        CALL CONTAC(X, U, CON, HOLD(1,C), HNEW(1,C), EF, EK, LDK, CODE)
+        CALL CONTAC(X, U, CON, HOLD(1,C), HNEW(1,C), P, S, CODE)
         IF (CODE .NE. 0) RETURN
+C       Row of the model for each row of the host's element; 0: none.
         DO 40 I = 1, 5
           DO 35 J = 1, 3
-            ROW(3*I-3+J) = 3*CON(I) - 3 + J
+            ROW(4*I-4+J) = 3*CON(I) - 3 + J
    35     CONTINUE
+          ROW(4*I) = 0
    40   CONTINUE
-        DO 55 J = 1, 15
-          F(ROW(J)) = F(ROW(J)) + EF(J)
-          DO 50 I = 1, 15
-            K(ROW(I),ROW(J)) = K(ROW(I),ROW(J)) + EK(I,J)
+        DO 55 J = 1, 20
+          IF (ROW(J) .EQ. 0) GO TO 55
+          F(ROW(J)) = F(ROW(J)) - P(J)
+          DO 50 I = 1, 20
+            IF (ROW(I) .EQ. 0) GO TO 50
+            K(ROW(I),ROW(J)) = K(ROW(I),ROW(J)) + S(I,J)
    50     CONTINUE
    55   CONTINUE
    60 CONTINUE

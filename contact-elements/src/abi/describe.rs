@@ -9,7 +9,7 @@ use crate::evaluation::sizes::nodes_of_call;
 use crate::registered::Registered;
 
 /// Elements of a library.
-type Registry<'a> = &'a [&'static Registered];
+pub(super) type Registry<'a> = &'a [&'static Registered];
 
 /// `cte_element_count`.
 pub fn element_count(elements: Registry<'_>) -> i32 {

@@ -147,11 +147,13 @@ static void table(void)
 /* One call of the Fortran 77 entry with the bench's arrays. */
 static int32_t evaluate_77(int32_t element, int32_t request, int32_t nnode, int32_t ldk)
 {
-  const int32_t nslave = 0;
-  int32_t status = UNTOUCHED, code = UNTOUCHED;
+  const int32_t zero = 0;
+  const double one = 1.0;
+  int32_t state[CTE_F77_STATES], code = UNTOUCHED;
   bench_canary(&b);
-  cte_f77_evaluate_(&element, &request, &nnode, &nslave, b.x, b.u, b.parameters, &b.info.parameters, b.history_accepted,
-                    b.out.history_trial, b.row, b.out.f, b.out.k, &ldk, b.out.output, b.out.energy, &status, &code);
+  cte_f77_evaluate_(&element, &request, &nnode, &zero, b.x, &zero, b.u, &zero, b.parameters, &b.info.parameters,
+                    b.history_accepted, b.out.history_trial, b.row, &zero, NULL, &one, &one, b.out.f, b.out.k, &ldk,
+                    b.out.output, b.out.energy, b.workspace, &zero, state, &code);
   return code;
 }
 

@@ -282,12 +282,12 @@ contains
   ! One call of the Fortran 77 entry with the bench's arrays.
   function evaluate_77(element, request, nnode, ldk) result(code)
     integer(i4), intent(in) :: element, request, nnode, ldk
-    integer(i4) :: code, status
-    status = untouched
+    integer(i4) :: code, state(4)
     code = untouched
     call bench_canary(b)
-    call cte_f77_evaluate(element, request, nnode, 0_i4, b%x, b%u, b%parameters, b%info%parameters, b%history_accepted, &
-      b%out%history_trial, b%row, b%out%f, b%out%k, ldk, b%out%output, b%out%energy(1), status, code)
+    call cte_f77_evaluate(element, request, nnode, 0_i4, b%x, 0_i4, b%u, 0_i4, b%parameters, b%info%parameters, &
+      b%history_accepted, b%out%history_trial, b%row, 0_i4, [0_i4], 1.0_dp, 1.0_dp, b%out%f, b%out%k, ldk, &
+      b%out%output, b%out%energy(1), b%workspace, 0_i4, state, code)
     if (.not. bench_untouched(b)) code = -1000
   end function evaluate_77
 

@@ -2,7 +2,8 @@
 #ifndef BAD_CALLS_H
 #define BAD_CALLS_H
 
-void bad_calls(void);   /* lookup, description, history, messages, table, Fortran 77 entries */
+void bad_calls(void);   /* lookup, description, history, messages, table, the Fortran 77 call */
+void bad_fortran77(void); /* null addresses to the Fortran 77 entries */
 void bad_states(void);  /* states without a normal or an area, sizes beyond any memory */
 void bad_batches(void); /* batches */
 void bad_maps(void);    /* their scatter maps */

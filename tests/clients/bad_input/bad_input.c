@@ -354,6 +354,7 @@ int main(void)
   scales();
   every_element();
   bad_calls();
+  bad_fortran77();
   bad_batches();
   bad_maps();
   bad_states();

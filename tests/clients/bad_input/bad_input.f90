@@ -10,6 +10,7 @@ program bad_input
   use contact_elements
   use client_support
   use bad_calls, only: bad_calls_run
+  use bad_fortran77, only: bad_fortran77_run
   use bad_batches, only: bad_batches_run
   use bad_maps, only: bad_maps_run
   use bad_states, only: bad_states_run
@@ -31,6 +32,7 @@ program bad_input
   call scales()
   call every_element()
   call bad_calls_run()
+  call bad_fortran77_run()
   call bad_batches_run()
   call bad_maps_run()
   call bad_states_run()

@@ -1,5 +1,7 @@
 //! The C symbols of a library of elements: the interface under a prefix, one symbol per element.
 
+mod fortran;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -18,7 +20,7 @@ pub fn symbol_name(element: &str) -> String {
 /// The exported functions of the elements in the static `ELEMENTS` of the same module.
 pub fn emit_export(prefix: &Ident, elements: &[Ident]) -> TokenStream {
     let functions = interface(prefix);
-    let fortran = fortran(prefix);
+    let fortran = fortran::symbols(prefix);
     let symbols = elements.iter().map(|element| {
         let name = format_ident!("{}_{}", prefix, symbol_name(&element.to_string()));
         let docs = format!(" Evaluates one `{element}`.");
@@ -313,75 +315,6 @@ fn table(prefix: &Ident) -> TokenStream {
             struct_size: ::core::mem::size_of::<abi::ApiTable>() as u32,
             version: abi::VERSION,
             #(#names: #values),*
-        }
-    }
-}
-
-/// Fortran 77 symbols: one trailing underscore, everything by address.
-fn fortran(prefix: &Ident) -> TokenStream {
-    let evaluate = format_ident!("{}_f77_evaluate_", prefix);
-    let info = format_ident!("{}_f77_info_", prefix);
-    let history = format_ident!("{}_f77_history_init_", prefix);
-    let transfer = format_ident!("{}_f77_history_transfer_", prefix);
-    let augment = format_ident!("{}_f77_history_augment_", prefix);
-    quote! {
-        /// `CTE_F77_EVALUATE` of the C header for this library.
-        #[unsafe(no_mangle)]
-        #[allow(clippy::too_many_arguments)]
-        pub unsafe extern "C" fn #evaluate(
-            element: *const i32, request: *const i32, nnode: *const i32, nslave: *const i32,
-            x: *const f64, u: *const f64, parameters: *const f64, parameter_count: *const i32,
-            history_accepted: *const f64, history_trial: *mut f64, slave_row: *const f64, f: *mut f64,
-            k: *mut f64, ldk: *const i32, output: *mut f64, energy: *mut f64, status: *mut i32,
-            code: *mut i32,
-        ) {
-            // SAFETY: the caller keeps the promises of the C header.
-            unsafe {
-                abi::fortran::evaluate(
-                    &ELEMENTS, (element, request, nnode, nslave), (x, u),
-                    (parameters, parameter_count), (history_accepted, history_trial), slave_row, (f, k, ldk),
-                    (output, energy), (status, code),
-                )
-            }
-        }
-        /// `CTE_F77_INFO` of the C header for this library.
-        #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn #info(element: *const i32, nnode: *const i32, sizes: *mut i32) {
-            // SAFETY: the caller keeps the promises of the C header.
-            unsafe { abi::fortran::info(&ELEMENTS, element, nnode, sizes) }
-        }
-        /// `CTE_F77_HISTORY_INIT` of the C header for this library.
-        #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn #history(element: *const i32, values: *mut f64, code: *mut i32) {
-            // SAFETY: the caller keeps the promises of the C header.
-            unsafe { abi::fortran::history_init(&ELEMENTS, element, values, code) }
-        }
-        /// `CTE_F77_HISTORY_TRANSFER` of the C header for this library.
-        #[unsafe(no_mangle)]
-        #[allow(clippy::too_many_arguments)]
-        pub unsafe extern "C" fn #transfer(
-            from: *const i32, from_output: *const f64, from_history: *const f64,
-            to: *const i32, to_output: *const f64, to_history: *mut f64, argument: *mut i32,
-            code: *mut i32,
-        ) {
-            // SAFETY: the caller keeps the promises of the C header.
-            unsafe {
-                abi::fortran::transfer(
-                    &ELEMENTS, (from, from_output, from_history), (to, to_output, to_history),
-                    (argument, code),
-                )
-            }
-        }
-        /// `CTE_F77_HISTORY_AUGMENT` of the C header for this library.
-        #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn #augment(
-            element: *const i32, trial: *const f64, accepted: *mut f64, argument: *mut i32,
-            code: *mut i32,
-        ) {
-            // SAFETY: the caller keeps the promises of the C header.
-            unsafe {
-                abi::fortran::augment(&ELEMENTS, element, (trial, accepted), (argument, code))
-            }
         }
     }
 }

@@ -15,13 +15,10 @@ pub type Sizes = BTreeMap<String, usize>;
 pub fn generated_sources(output: &Path) -> Result<Sizes, Box<dyn std::error::Error>> {
     let folder = output.join("generated");
     std::fs::create_dir_all(&folder)?;
-    let model = contact_generator::expand::library_elements()?;
     let mut sizes = Sizes::new();
-    for element in &model.elements {
-        let tokens = contact_generator::emit::emit_element(element);
-        let text = contact_generator::emit::readable(&tokens)?;
-        std::fs::write(folder.join(format!("{}.rs", element.name)), &text)?;
-        sizes.insert(element.name.to_string(), text.len());
+    for (name, text) in contact_generator::expand::library_sources()? {
+        std::fs::write(folder.join(format!("{name}.rs")), &text)?;
+        sizes.insert(name, text.len());
     }
     Ok(sizes)
 }

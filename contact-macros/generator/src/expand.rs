@@ -1,12 +1,9 @@
-//! The pipeline, read first: declaration → syntax → model → linearised programs → optimised → Rust.
+//! The pipeline, read first: parse → check → formulate → emit.
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use quote::{format_ident, quote};
 
-use crate::budget;
-use crate::emit::{
-    emit_element, emit_export, emit_friction, emit_geometry, emit_law, emit_tangential_law,
-};
+use crate::emit::{emit, emit_element, emit_export, emit_lists, readable};
+use crate::formulate::formulate;
 use crate::model::Model;
 use crate::syntax::File;
 
@@ -26,13 +23,15 @@ pub const LIBRARY_ELEMENTS: [&str; 2] = [
 
 /// Expands the body of `contact_elements! { … }`. Mistakes become `compile_error!` at their tokens.
 pub fn expand(tokens: TokenStream) -> TokenStream {
-    let library = Model::library();
-    let result = parse(tokens).and_then(|declaration| {
-        let model = Model::build(&declaration.file, Some(&library))?;
-        budget::check(&model)?;
-        Ok(emit(&model, declaration.export.as_ref()))
-    });
-    result.unwrap_or_else(|error| error.into_compile_error())
+    stages(tokens).unwrap_or_else(|error| error.into_compile_error())
+}
+
+/// Every stage in order.
+fn stages(tokens: TokenStream) -> syn::Result<TokenStream> {
+    let declaration = parse(tokens)?;
+    let model = Model::build(&declaration.file, Some(&Model::library()))?;
+    let formulation = formulate(&model)?;
+    Ok(emit(&formulation, declaration.export.as_ref()))
 }
 
 /// Expands one part of the built-in library: `geometries`, `laws`, `elements`, `elements_extended`; or
@@ -42,23 +41,23 @@ pub fn expand_library(part: &str) -> syn::Result<TokenStream> {
     let [elements, elements_extended] = LIBRARY_ELEMENTS;
     let model = match part {
         "geometries" => Model {
-            geometries: library.geometries.clone(),
+            geometries: library.geometries,
             ..Model::default()
         },
         "laws" => Model {
-            laws: library.laws.clone(),
-            tangential_laws: library.tangential_laws.clone(),
+            laws: library.laws,
+            tangential_laws: library.tangential_laws,
             ..Model::default()
         },
-        "elements" => elements_of(elements, &library)?,
-        "elements_extended" => elements_of(elements_extended, &library)?,
-        "lists" => return Ok(registry(&library_elements()?)),
+        "elements" => elements_of(elements)?,
+        "elements_extended" => elements_of(elements_extended)?,
+        "lists" => return Ok(emit_lists(&library_elements()?)),
         _ => {
             let message = format!("the library has no part `{part}`");
             return Err(syn::Error::new(Span::call_site(), message));
         }
     };
-    Ok(emit(&model, None))
+    Ok(emit(&formulate(&model)?, None))
 }
 
 /// Exports the built-in elements under `prefix`; `ELEMENTS` and the types must be in scope.
@@ -73,12 +72,23 @@ pub fn expand_library_export(prefix: &Ident) -> syn::Result<TokenStream> {
 
 /// The built-in elements of both parts, in the order of their indices.
 pub fn library_elements() -> syn::Result<Model> {
-    elements_of(&LIBRARY_ELEMENTS.concat(), &Model::library())
+    elements_of(&LIBRARY_ELEMENTS.concat())
 }
 
-fn elements_of(text: &str, library: &Model) -> syn::Result<Model> {
+/// Name and emitted source of every built-in element.
+pub fn library_sources() -> syn::Result<Vec<(String, String)>> {
+    let model = library_elements()?;
+    let formulation = formulate(&model)?;
+    let elements = formulation.elements.iter().map(|element| {
+        let text = readable(&emit_element(element))?;
+        Ok((element.declared.name.to_string(), text))
+    });
+    elements.collect()
+}
+
+fn elements_of(text: &str) -> syn::Result<Model> {
     let tokens: TokenStream = text.parse()?;
-    Model::build(&syn::parse2(tokens)?, Some(library))
+    Model::build(&syn::parse2(tokens)?, Some(&Model::library()))
 }
 
 /// Splits off `export PREFIX;` and parses the rest.
@@ -95,76 +105,4 @@ pub fn parse(tokens: TokenStream) -> syn::Result<Declaration> {
     };
     let file = syn::parse2(rest.iter().cloned().collect())?;
     Ok(Declaration { export, file })
-}
-
-fn emit(model: &Model, export: Option<&Ident>) -> TokenStream {
-    let geometries = model.geometries.iter().map(|item| emit_geometry(item));
-    let laws = model.laws.iter().map(|item| emit_law(item));
-    let tangential = model
-        .tangential_laws
-        .iter()
-        .map(|item| emit_tangential_law(item));
-    let friction = emit_friction(&model.elements);
-    let elements = model.elements.iter().map(emit_element);
-    let registry = registry(model);
-    let export = export.map(|prefix| {
-        let names: Vec<Ident> = model.elements.iter().map(|e| e.name.clone()).collect();
-        emit_export(prefix, &names)
-    });
-    quote! { #(#geometries)* #(#laws)* #(#tangential)* #friction #(#elements)* #registry #export }
-}
-
-/// Lists of what was declared, in the order of declaration.
-fn registry(model: &Model) -> TokenStream {
-    let geometries = list(
-        "GEOMETRIES",
-        "GeometryPrograms",
-        model.geometries.iter().map(|geometry| {
-            let name = &geometry.name;
-            quote! { #name::PROGRAMS }
-        }),
-    );
-    let laws = list(
-        "LAWS",
-        "LawPrograms",
-        model.laws.iter().map(|law| {
-            let name = &law.name;
-            quote! { &#name::PROGRAMS }
-        }),
-    );
-    let tangential_laws = list(
-        "TANGENTIAL_LAWS",
-        "TangentialLawPrograms",
-        model.tangential_laws.iter().map(|law| {
-            let name = &law.name;
-            quote! { &#name::PROGRAMS }
-        }),
-    );
-    let names: Vec<&Ident> = model.elements.iter().map(|element| &element.name).collect();
-    let descriptions = list(
-        "DESCRIPTIONS",
-        "ElementDescription",
-        names.iter().map(|name| quote! { &#name::DESCRIPTION }),
-    );
-    let count = names.len();
-    let elements = (count > 0).then(|| {
-        quote! {
-            /// The elements declared here; an index never changes once released.
-            pub static ELEMENTS: [&::contact_elements::abi::Descriptor; #count] =
-                [#(#names::DESCRIPTOR),*];
-        }
-    });
-    quote! { #geometries #laws #tangential_laws #descriptions #elements }
-}
-
-fn list(name: &str, kind: &str, items: impl Iterator<Item = TokenStream>) -> Option<TokenStream> {
-    let items: Vec<TokenStream> = items.collect();
-    if items.is_empty() {
-        return None;
-    }
-    let (name, kind) = (format_ident!("{name}"), format_ident!("{kind}"));
-    Some(quote! {
-        /// What was declared here, for verification.
-        pub const #name: &[&::contact_elements::program::#kind] = &[#(#items),*];
-    })
 }

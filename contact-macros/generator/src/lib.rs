@@ -5,20 +5,20 @@
 //! |---|---|---|
 //! | parse | tokens → [`syntax::File`] | [`syntax`] |
 //! | check | `File` → [`model::Model`] | [`model`] |
-//! | linearise | `Model` → [`ir::Program`] | [`linearise`] |
-//! | optimise | `Program` → `Program` | [`optimise`] |
-//! | emit | `Program` → Rust tokens | [`emit`] |
+//! | formulate | `Model` → [`formulate::Formulation`]: programs, offsets, numbers | [`formulate`] |
+//! | emit | `Formulation` → Rust tokens | [`emit`] |
+//!
+//! Formulating asks [`linearise`] for the [`ir::Program`]s of the closed forms and runs the passes of [`ir`] over them.
 //!
 //! [`expand`] runs them in order.
 #![forbid(unsafe_code)]
 
-pub mod budget;
 pub mod diagnostics;
 pub mod emit;
 pub mod expand;
+pub mod formulate;
 pub mod header;
 pub mod ir;
 pub mod linearise;
 pub mod model;
-pub mod optimise;
 pub mod syntax;

@@ -3,43 +3,29 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::{domain, imports, program::Emitted};
-use crate::linearise::geometry::{
-    curved, projection_program, rigid_program, rigid_third_program, shape_program,
-    shape_third_program,
-};
-use crate::linearise::{distance, second_derivatives, third_derivatives};
-use crate::model::{Body, Geometry};
+use super::program::{function, optional_table, table};
+use super::{domain, imports};
+use crate::formulate::{FormulatedGeometry, second_derivatives, third_derivatives};
+use crate::model::Body;
 
 /// The type of a geometry, its trait implementation and its tables.
-pub fn emit_geometry(geometry: &Geometry) -> TokenStream {
+pub fn emit_geometry(formulated: &FormulatedGeometry) -> TokenStream {
+    let geometry = &formulated.declared;
     let name = &geometry.name;
     let docs = &geometry.docs;
     let module = format_ident!("_geometry_{}", name.to_string().to_lowercase());
-    let (values, third) = match &geometry.body {
-        Body::Shape { .. } => (shape_program(geometry), Some(shape_third_program(geometry))),
-        Body::Rigid { .. } => (rigid_program(geometry), Some(rigid_third_program(geometry))),
-        Body::Distance { .. } => (distance::gap_program(geometry), None),
-    };
-    let values = Emitted::new(&values, "");
-    let third = third.map(|program| Emitted::new(&program, ""));
-    let projection = projection_program(geometry).map(|program| Emitted::new(&program, ""));
-    let functions: TokenStream = [Some(&values), third.as_ref(), projection.as_ref()]
-        .into_iter()
-        .flatten()
-        .map(Emitted::whole_function)
-        .collect();
+    let functions: TokenStream = formulated.routines().map(function).collect();
     let implementation = match &geometry.body {
-        Body::Shape { .. } => shape(geometry),
-        Body::Rigid { .. } => rigid(geometry),
+        Body::Shape { .. } => shape(formulated),
+        Body::Rigid { .. } => rigid(formulated),
         Body::Distance { .. } => {
             let d = geometry.coordinates.len();
             quote! { impl runtime::Distance<#d> for #name {} }
         }
     };
-    let values_table = values.table();
-    let third_table = optional_table(third.as_ref());
-    let projection_table = optional_table(projection.as_ref());
+    let values_table = table(&formulated.values);
+    let third_table = optional_table(formulated.third.as_ref());
+    let projection_table = optional_table(formulated.projection.as_ref());
     let text = name.to_string();
     let imports = imports();
     quote! {
@@ -67,16 +53,6 @@ pub fn emit_geometry(geometry: &Geometry) -> TokenStream {
                 };
             }
         }
-    }
-}
-
-fn optional_table(emitted: Option<&Emitted>) -> TokenStream {
-    match emitted {
-        Some(emitted) => {
-            let table = emitted.table();
-            quote! { Some(#table) }
-        }
-        None => quote! { None },
     }
 }
 
@@ -109,7 +85,8 @@ fn third_rows(p: usize, width: usize) -> TokenStream {
     quote! { [#(#rows),*] }
 }
 
-fn shape(geometry: &Geometry) -> TokenStream {
+fn shape(formulated: &FormulatedGeometry) -> TokenStream {
+    let geometry = &formulated.declared;
     let Body::Shape {
         functions,
         vectors,
@@ -123,8 +100,8 @@ fn shape(geometry: &Geometry) -> TokenStream {
     let h = second_derivatives(p);
     let weights = if *rational { n } else { 0 };
     let domain = domain(&geometry.domain);
-    let curved = curved(geometry);
-    let affine = curved.iter().all(|&curved| !curved);
+    let curved = &formulated.curved;
+    let affine = formulated.is_affine();
     let flags = (0..n).map(|a| vectors.contains(&a));
     let zeta = (0..p).map(|i| quote! { zeta[#i] });
     let zeta_third = zeta.clone();
@@ -172,7 +149,8 @@ fn shape(geometry: &Geometry) -> TokenStream {
     }
 }
 
-fn rigid(geometry: &Geometry) -> TokenStream {
+fn rigid(formulated: &FormulatedGeometry) -> TokenStream {
+    let geometry = &formulated.declared;
     let Body::Rigid {
         position,
         projection,
@@ -185,7 +163,7 @@ fn rigid(geometry: &Geometry) -> TokenStream {
     let h = second_derivatives(p);
     let count = geometry.parameters.len();
     let domain = domain(&geometry.domain);
-    let affine = curved(geometry).iter().all(|&curved| !curved);
+    let affine = formulated.is_affine();
     let zeta = (0..p).map(|i| quote! { zeta[#i] });
     let zeta_third = zeta.clone();
     let third = third_rows(p, d);

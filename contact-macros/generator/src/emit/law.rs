@@ -3,36 +3,21 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::{imports, program::Emitted};
-use crate::linearise::law::{bound_program, law_program};
+use super::imports;
+use super::program::{function, optional_table, table};
+use crate::formulate::FormulatedLaw;
 use crate::model::{Bound, Law};
 
 /// The type of a law, its trait implementation and its tables.
-pub fn emit_law(law: &Law) -> TokenStream {
+pub fn emit_law(formulated: &FormulatedLaw) -> TokenStream {
+    let law = &formulated.declared;
     let name = &law.name;
     let docs = &law.docs;
     let module = format_ident!("_law_{}", name.to_string().to_lowercase());
-    let evaluate = Emitted::new(&law_program(law), "");
-    let active = Emitted::new(&bound_program(law, "active", &law.active), "");
-    let valid = law
-        .valid
-        .as_ref()
-        .map(|bound| Emitted::new(&bound_program(law, "valid", bound), ""));
-    let functions: TokenStream = [Some(&evaluate), Some(&active), valid.as_ref()]
-        .into_iter()
-        .flatten()
-        .map(Emitted::whole_function)
-        .collect();
-    let tables = (evaluate.table(), active.table());
-    let (evaluate_table, active_table) = tables;
-    let valid_table = match &valid {
-        Some(valid) => {
-            let table = valid.table();
-            quote! { Some(#table) }
-        }
-        None => quote! { None },
-    };
-    let methods = methods(law, valid.is_some());
+    let functions: TokenStream = formulated.routines().map(function).collect();
+    let (evaluate_table, active_table) = (table(&formulated.law), table(&formulated.active));
+    let valid_table = optional_table(formulated.valid.as_ref());
+    let methods = methods(law);
     let text = name.to_string();
     let imports = imports();
     quote! {
@@ -59,7 +44,7 @@ pub fn emit_law(law: &Law) -> TokenStream {
     }
 }
 
-fn methods(law: &Law, has_valid: bool) -> TokenStream {
+fn methods(law: &Law) -> TokenStream {
     let name = &law.name;
     let count = law.parameters.len();
     let inputs: Vec<TokenStream> = (0..count).map(|k| quote! { parameters[#k] }).collect();
@@ -70,7 +55,7 @@ fn methods(law: &Law, has_valid: bool) -> TokenStream {
     } else {
         (quote! { [traction, slope] }, quote! { T::constant(0.0) })
     };
-    let valid = if has_valid {
+    let valid = if law.valid.is_some() {
         quote! {
             let Some(parameters) = parameters.first_chunk::<#count>() else { return T::constant(-1.0) };
             valid(&[gap, #(#inputs),*])[0]

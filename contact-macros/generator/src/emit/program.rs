@@ -3,171 +3,128 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use crate::formulate::Routine;
 use crate::ir::{Binary, Node, NodeId, Program, Unary};
-use crate::optimise::optimise;
 
-/// An optimised program with the name of its emitted function.
-pub struct Emitted {
-    /// The program after all passes.
-    pub program: Program,
-    /// Name of the function.
-    pub function: Ident,
+/// Name of the emitted function.
+pub fn name(routine: &Routine) -> Ident {
+    format_ident!("{}", routine.function)
 }
 
-impl Emitted {
-    /// Optimises `program`; its function will be called `prefix_name`.
-    pub fn new(program: &Program, prefix: &str) -> Self {
-        let program = optimise(program);
-        let function = if prefix.is_empty() {
-            format_ident!("{}", program.name)
-        } else {
-            format_ident!("{}_{}", prefix, program.name)
-        };
-        Self { program, function }
-    }
+/// Name of the constant table of a shared routine.
+pub fn constant(routine: &Routine) -> Ident {
+    format_ident!("{}_TABLE", routine.function)
+}
 
-    /// A program whose function several elements share: its name holds a hash of the operations.
-    pub fn shared(program: &Program) -> Self {
-        let mut emitted = Self::new(program, "");
-        let hash = fnv(&emitted.table().to_string());
-        emitted.function = format_ident!("{}_{:016x}", program.name, hash);
-        emitted
+/// The shared function, guarded against zero divisors, and its table as a constant of the same name.
+pub fn shared_items(routine: &Routine) -> TokenStream {
+    let visible = quote! { #[inline(always)] pub(super) };
+    let function = function_with(routine, Style::Guarded, &visible);
+    let (table, constant) = (table(routine), constant(routine));
+    quote! {
+        #function
+        pub(super) const #constant: Program = #table;
     }
+}
 
-    /// The shared function, guarded against zero divisors, and its table as a constant of the same name.
-    pub fn shared_items(&self) -> TokenStream {
-        let function = self.function_with(
-            &self.all_outputs(),
-            Style::Guarded,
-            &quote! { #[inline(always)] pub(super) },
-        );
-        let (table, constant) = (self.table(), self.constant());
-        quote! {
-            #function
-            pub(super) const #constant: Program = #table;
+/// The function: `fn name<T>(i: &[T; n]) -> [T; m]`, T one number or several side by side.
+pub fn function(routine: &Routine) -> TokenStream {
+    function_with(routine, Style::Generic, &quote! { #[inline(always)] })
+}
+
+/// The function for one number, which divides by 1 instead of 0 and takes a negative radicand as 0: it
+/// raises no floating-point exception where the plain one would.
+pub fn guarded_function(routine: &Routine) -> TokenStream {
+    function_with(routine, Style::Guarded, &quote! { #[inline(always)] })
+}
+
+fn function_with(routine: &Routine, style: Style, inline: &TokenStream) -> TokenStream {
+    let name = name(routine);
+    let program = &routine.program;
+    let (inputs, outputs) = (program.inputs.len(), program.outputs.len());
+    let comment = format!(
+        " {} operations, {inputs} inputs, {outputs} outputs.",
+        program.operations()
+    );
+    let body = statements(program, style);
+    let results = program.outputs.iter();
+    let results = results.map(|&(_, value)| style.operand(program, value));
+    let (generics, number) = match style {
+        Style::Generic => (
+            quote! { <T: ::contact_elements::runtime::Real> },
+            quote! { T },
+        ),
+        Style::Guarded => (quote! {}, quote! { f64 }),
+    };
+    quote! {
+        #[doc = #comment]
+        #[allow(clippy::all, unused_variables)]
+        #inline
+        fn #name #generics(i: &[#number; #inputs]) -> [#number; #outputs] {
+            #body
+            [#(#results),*]
         }
     }
+}
 
-    /// Name of the constant table of a shared program.
-    pub fn constant(&self) -> Ident {
-        format_ident!("{}_TABLE", self.function)
-    }
-
-    /// The function: `fn name<T>(i: &[T; n]) -> [T; m]`, T one number or several side by side.
-    pub fn function(&self, indices: &[usize]) -> TokenStream {
-        self.function_with(indices, Style::Generic, &quote! { #[inline(always)] })
-    }
-
-    /// The function with all outputs, which divides by 1 instead of 0 and takes a negative radicand as 0:
-    /// it raises no floating-point exception where the plain one would.
-    pub fn guarded_function(&self) -> TokenStream {
-        self.function_with(
-            &self.all_outputs(),
-            Style::Guarded,
-            &quote! { #[inline(always)] },
-        )
-    }
-
-    fn function_with(&self, indices: &[usize], style: Style, inline: &TokenStream) -> TokenStream {
-        let name = &self.function;
-        let inputs = self.program.inputs.len();
-        let outputs = indices.len();
-        let comment = format!(
-            " {} operations, {} inputs, {} outputs.",
-            self.program.operations(),
-            inputs,
-            outputs
-        );
-        let body = self.statements(style);
-        let results = indices
-            .iter()
-            .map(|&index| style.operand(&self.program, self.program.outputs[index].1));
-        let (generics, number) = match style {
-            Style::Generic => (
-                quote! { <T: ::contact_elements::runtime::Real> },
-                quote! { T },
-            ),
-            Style::Guarded => (quote! {}, quote! { f64 }),
-        };
-        quote! {
-            #[doc = #comment]
-            #[allow(clippy::all, unused_variables)]
-            #inline
-            fn #name #generics(i: &[#number; #inputs]) -> [#number; #outputs] {
-                #body
-                [#(#results),*]
-            }
+fn statements(program: &Program, style: Style) -> TokenStream {
+    let needed = program.needed();
+    let nodes = program.graph.nodes().iter().enumerate();
+    let lines = nodes.filter_map(|(index, &node)| {
+        if !needed[index] || !node.is_operation() {
+            return None;
         }
-    }
+        let name = variable(index);
+        let value = style.operation(program, node);
+        Some(quote! { let #name = #value; })
+    });
+    quote! { #(#lines)* }
+}
 
-    /// The function with all outputs.
-    pub fn whole_function(&self) -> TokenStream {
-        self.function(&self.all_outputs())
-    }
-
-    fn all_outputs(&self) -> Vec<usize> {
-        (0..self.program.outputs.len()).collect()
-    }
-
-    fn statements(&self, style: Style) -> TokenStream {
-        let needed = self.program.needed();
-        let graph = &self.program.graph;
-        let lines = graph
-            .nodes()
-            .iter()
-            .enumerate()
-            .filter_map(|(index, &node)| {
-                if !needed[index] || !node.is_operation() {
-                    return None;
-                }
-                let name = variable(index);
-                let value = style.operation(&self.program, node);
-                Some(quote! { let #name = #value; })
-            });
-        quote! { #(#lines)* }
-    }
-
-    /// The constant table `Program { … }`; `whole` names a function with all outputs.
-    pub fn table(&self) -> TokenStream {
-        let program = &self.program;
-        let name = &program.name;
-        let inputs = &program.inputs;
-        let operations = program.graph.nodes().iter().map(|&node| table_entry(node));
-        let outputs = program.outputs.iter().map(|(name, id)| {
-            let position = position(*id);
-            quote! { (#name, #position) }
-        });
-        let terms = program.terms.iter().map(|term| {
-            let (tag, present, reason) = (term.tag, term.present, &term.reason);
-            quote! { Term { tag: #tag, present: #present, reason: #reason } }
-        });
-        let cost = program.operations();
-        let function = &self.function;
-        quote! {
-            Program {
-                name: #name,
-                inputs: &[#(#inputs),*],
-                operations: &[#(#operations),*],
-                outputs: &[#(#outputs),*],
-                terms: &[#(#terms),*],
-                cost: #cost,
-                compiled: |inputs, outputs| {
-                    if let Some(inputs) = inputs.first_chunk() {
-                        for (to, from) in outputs.iter_mut().zip(#function(inputs)) {
-                            *to = from;
-                        }
+/// The constant table `Program { … }` of a routine.
+pub fn table(routine: &Routine) -> TokenStream {
+    let program = &routine.program;
+    let name = &program.name;
+    let inputs = &program.inputs;
+    let operations = program.graph.nodes().iter().map(|&node| table_entry(node));
+    let outputs = program.outputs.iter().map(|(name, id)| {
+        let position = position(*id);
+        quote! { (#name, #position) }
+    });
+    let terms = program.terms.iter().map(|term| {
+        let (tag, present, reason) = (term.tag, term.present, &term.reason);
+        quote! { Term { tag: #tag, present: #present, reason: #reason } }
+    });
+    let cost = program.operations();
+    let function = self::name(routine);
+    quote! {
+        Program {
+            name: #name,
+            inputs: &[#(#inputs),*],
+            operations: &[#(#operations),*],
+            outputs: &[#(#outputs),*],
+            terms: &[#(#terms),*],
+            cost: #cost,
+            compiled: |inputs, outputs| {
+                if let Some(inputs) = inputs.first_chunk() {
+                    for (to, from) in outputs.iter_mut().zip(#function(inputs)) {
+                        *to = from;
                     }
-                },
-            }
+                }
+            },
         }
     }
 }
 
-/// FNV-1a hash of a text.
-pub fn fnv(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
+/// `Some(table)` where there is a routine.
+pub fn optional_table(routine: Option<&Routine>) -> TokenStream {
+    match routine {
+        Some(routine) => {
+            let table = table(routine);
+            quote! { Some(#table) }
+        }
+        None => quote! { None },
+    }
 }
 
 fn position(id: NodeId) -> u16 {

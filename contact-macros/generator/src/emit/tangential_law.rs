@@ -3,30 +3,20 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::{imports, program::Emitted};
-use crate::linearise::sliding::{friction_program, sliding_program};
+use super::imports;
+use super::program::{function, optional_table, table};
+use crate::formulate::FormulatedTangentialLaw;
 use crate::model::TangentialLaw;
 
 /// The type of a tangential law, its trait implementation and its tables.
-pub fn emit_tangential_law(law: &TangentialLaw) -> TokenStream {
+pub fn emit_tangential_law(formulated: &FormulatedTangentialLaw) -> TokenStream {
+    let law = &formulated.declared;
     let name = &law.name;
     let docs = &law.docs;
     let module = format_ident!("_tangential_law_{}", name.to_string().to_lowercase());
-    let friction = Emitted::new(&friction_program(law), "");
-    let sliding = (!law.bound.is_empty()).then(|| Emitted::new(&sliding_program(law), ""));
-    let functions: TokenStream = [Some(&friction), sliding.as_ref()]
-        .into_iter()
-        .flatten()
-        .map(Emitted::whole_function)
-        .collect();
-    let friction_table = friction.table();
-    let sliding_table = match &sliding {
-        Some(sliding) => {
-            let table = sliding.table();
-            quote! { Some(#table) }
-        }
-        None => quote! { None },
-    };
+    let functions: TokenStream = formulated.routines().map(function).collect();
+    let friction_table = table(&formulated.friction);
+    let sliding_table = optional_table(formulated.sliding.as_ref());
     let methods = methods(law);
     let text = name.to_string();
     let orthotropic = law.stiffness.len() == 2;

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use super::c::C_HEADERS;
-use crate::emit::{Parameters, symbol_name};
+use crate::emit::symbol_name;
+use crate::formulate::Parameters;
 use crate::model::Element;
 
 /// Longest name that a Fortran 95 compiler takes.

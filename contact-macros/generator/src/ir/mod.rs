@@ -7,6 +7,7 @@ mod differentiate;
 mod graph;
 mod interpret;
 mod lower;
+pub mod passes;
 mod vector;
 
 pub use differentiate::differentiate;

@@ -15,7 +15,7 @@ use crate::ir::{Graph, NodeId, Program, Vector};
 const NO_THIRD: &str = "no projected curve has a third derivative";
 
 /// Number of pairs with `p` projected parameters.
-pub fn pairs(p: usize) -> usize {
+pub const fn pairs(p: usize) -> usize {
     10 + p
 }
 

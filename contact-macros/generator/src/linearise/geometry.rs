@@ -72,26 +72,19 @@ pub fn projection_program(geometry: &Geometry) -> Option<Program> {
     Some(program)
 }
 
-/// Which second derivatives (11, 12, 22) can be non-zero.
-pub fn curved(geometry: &Geometry) -> Vec<bool> {
-    let program = match &geometry.body {
-        Body::Shape { .. } => shape_program(geometry),
-        Body::Rigid { .. } => rigid_program(geometry),
-        Body::Distance { .. } => return vec![],
-    };
+/// Which second derivatives (11, 12, 22) can be non-zero, from the program of rows or positions.
+pub fn curved(geometry: &Geometry, program: &Program) -> Vec<bool> {
+    if matches!(geometry.body, Body::Distance { .. }) {
+        return vec![];
+    }
     let p = geometry.coordinates.len();
-    let rows = remaining(&program, 1 + p + second_derivatives(p));
+    let rows = remaining(program, 1 + p + second_derivatives(p));
     rows[1 + p..].to_vec()
 }
 
-/// Which third derivatives (111, 112, 122, 222) can be non-zero.
-pub fn third_remaining(geometry: &Geometry) -> Vec<bool> {
-    let program = match &geometry.body {
-        Body::Shape { .. } => shape_third_program(geometry),
-        Body::Rigid { .. } => rigid_third_program(geometry),
-        Body::Distance { .. } => return vec![],
-    };
-    remaining(&program, third_derivatives(geometry.coordinates.len()))
+/// Which third derivatives (111, 112, 122, 222) can be non-zero, from their program.
+pub fn third_remaining(geometry: &Geometry, program: &Program) -> Vec<bool> {
+    remaining(program, third_derivatives(geometry.coordinates.len()))
 }
 
 /// Which of the rows that the outputs consist of do not vanish identically.
@@ -104,27 +97,19 @@ fn remaining(program: &Program, rows: usize) -> Vec<bool> {
         .collect()
 }
 
-/// Whether the third derivative of a curve can be non-zero.
-pub fn has_third(curve: &Geometry) -> bool {
-    let program = shape_third_program(curve);
-    let mut outputs = program.outputs.iter();
-    outputs.any(|&(_, id)| !program.graph.is(id, 0.0))
-}
-
 /// The period of each parameter of a rigid geometry: 2π where the position at a few samples repeats, else 0.
 /// A closed projection gives an angle up to whole turns; with the period the turn nearest to the start is
 /// found.
-pub fn periods(geometry: &Geometry) -> Vec<f64> {
+pub fn periods(geometry: &Geometry, program: &Program) -> Vec<f64> {
     let p = geometry.coordinates.len();
     if !matches!(geometry.body, Body::Rigid { .. }) {
         return vec![0.0; p];
     }
-    let program = rigid_program(geometry);
     let d = program.outputs.len() / (1 + p + second_derivatives(p));
     let parameters: Vec<f64> = geometry.parameters.iter().map(sample).collect();
     let position = |zeta: &[f64]| {
         let inputs: Vec<f64> = zeta.iter().chain(&parameters).copied().collect();
-        interpret(&program, &inputs)[..d].to_vec()
+        interpret(program, &inputs)[..d].to_vec()
     };
     let repeats = |i: usize| {
         [[0.3, 0.7], [1.9, 0.2], [-2.2, 1.1]].iter().all(|sample| {

@@ -24,7 +24,6 @@
 //! | `angle_tangent` | its share of the tangent | [eq:angle-tangent] |
 //! | `row` | linear forms in which `tangential` is written | – |
 //! | `measure` | Jacobian of the slave and its variation | [eq:measure] |
-//! | `divisors` | divisors of another program | – |
 
 // [eq:…] names an equation of docs/, not an item; the documentation tests follow it
 #![allow(rustdoc::broken_intra_doc_links)]
@@ -35,7 +34,6 @@ mod basis;
 mod contact;
 mod curves;
 pub mod distance;
-pub mod divisors;
 pub mod frame;
 pub mod gap;
 pub mod geometry;

@@ -177,6 +177,20 @@ impl Master {
         }
     }
 
+    /// The rigid geometry, a distance function included.
+    pub fn rigid(&self) -> Option<&Rc<Geometry>> {
+        self.geometry()
+            .filter(|_| !matches!(self, Master::Shape(_)))
+    }
+
+    /// Whether a rigid motion given at run time applies to it.
+    pub fn is_placed(&self) -> bool {
+        matches!(
+            self,
+            Master::Rigid { placed: true, .. } | Master::Distance { placed: true, .. }
+        )
+    }
+
     /// Number of coordinates of the master that are projected.
     pub fn projected(&self) -> usize {
         match self {

@@ -40,6 +40,21 @@ pub struct Geometry {
     pub built_in: bool,
 }
 
+impl Geometry {
+    /// Nodes of a shape; a rigid geometry has none.
+    pub fn nodes(&self) -> usize {
+        match &self.body {
+            Body::Shape { functions, .. } => functions.len(),
+            _ => 0,
+        }
+    }
+
+    /// Whether run-time weights apply to its shape functions.
+    pub fn is_rational(&self) -> bool {
+        matches!(self.body, Body::Shape { rational: true, .. })
+    }
+}
+
 /// What a geometry is made of.
 #[derive(Debug, Clone)]
 pub enum Body {

@@ -210,7 +210,7 @@ mod _element_pointpoint2d {
                             0usize,
                         >>::Law as runtime::NormalLaw>::ENERGY,
                     operations: 26usize,
-                    formulation: 17957235695561432965u64,
+                    formulation: 14445853104123559365u64,
                     vectors: &[false, false],
                     centre: <PointPoint2d as runtime::Element<
                         2usize,

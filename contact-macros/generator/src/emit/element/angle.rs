@@ -4,225 +4,169 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::expressions::components;
-use super::facts::Facts;
-use crate::emit::program::Emitted;
-use crate::linearise::angle::{self, Bends};
-use crate::linearise::{Kinematics, angle_tangent, geometry};
-use crate::model::{self, Element, Master, Slave};
+use super::friction::direction_method;
+use super::friction::fixed_tangent;
+use super::friction::higher_method;
+use crate::emit::program::{optional_table, table};
+use crate::formulate::{FormulatedElement, MOST_PAIRS};
+use crate::model::Angle;
 
-/// The programs of the weight.
-pub(super) struct Angle {
-    position: Emitted,
-    weight: Emitted,
-    residual: Emitted,
-    tangent: Option<Emitted>,
-    acts_at: model::Angle,
+/// Where the window of angles stands in the parameters.
+pub(super) fn angle_offset(e: &FormulatedElement<'_>) -> TokenStream {
+    match e.parameters.layout.angle {
+        Some(at) => quote! { Some(#at) },
+        None => quote! { None },
+    }
 }
 
-impl Angle {
-    /// `None` for an element that acts at any angle.
-    pub(super) fn new(element: &Element, kinematics: &Kinematics) -> Option<Self> {
-        let acts_at = element.angle?;
-        let (
-            Slave::Projected(slave)
-            | Slave::Integrated {
-                geometry: slave, ..
-            },
-            Master::Shape(master),
-        ) = (&element.slave, &element.master)
-        else {
-            return None;
-        };
-        let bends = Bends {
-            kinematics: kinematics.clone(),
-            third: [slave, master].map(|curve| geometry::has_third(curve)),
-        };
-        let tangent = (!element.residual_only)
-            .then(|| Emitted::new(&angle_tangent::tangent_program(&bends), ""));
-        Some(Self {
-            position: Emitted::new(&angle::position_program(acts_at), ""),
-            weight: Emitted::new(&angle::weight_program(), ""),
-            residual: Emitted::new(&angle::residual_program(&bends), ""),
-            tangent,
-            acts_at,
-        })
+/// The methods of the trait that concern the angle.
+pub(super) fn angle_methods(e: &FormulatedElement<'_>) -> TokenStream {
+    let Some(angle) = &e.angle else {
+        return quote! {};
+    };
+    let tangents = tangents_method(e);
+    let weight = weight_methods(e);
+    let force = angle_force_method(e);
+    let tangent = angle.tangent.as_ref().map(|_| {
+        let higher = higher_method(e);
+        let tangent = angle_tangent_method(e, angle.pairs);
+        quote! { #higher #tangent }
+    });
+    let direction = (!e.projected_slave()).then(|| direction_method(e));
+    quote! {
+        const ANGLE: bool = true;
+        #tangents
+        #weight
+        #force
+        #tangent
+        #direction
     }
+}
 
-    pub(super) fn emitted(&self) -> impl Iterator<Item = &Emitted> {
-        [&self.position, &self.weight, &self.residual]
+fn tangents_method(e: &FormulatedElement<'_>) -> TokenStream {
+    let (_, p, h) = e.sizes();
+    let (body, first) = match fixed_tangent(e) {
+        Some(tangent) => (tangent, quote! { slave_tangent }),
+        None => (quote! {}, quote! { vectors.b[0] }),
+    };
+    let last = p - 1;
+    quote! {
+        #[inline(always)]
+        fn curve_tangents(
+            point: usize,
+            x: &[[f64; 3]],
+            vectors: &runtime::Vectors<3, #p, #h>,
+            parameters: &[f64],
+        ) -> [[f64; 3]; 2] {
+            #body
+            [#first, vectors.b[#last]]
+        }
+    }
+}
+
+fn weight_methods(e: &FormulatedElement<'_>) -> TokenStream {
+    let at = e.parameters.layout.angle.unwrap_or(usize::MAX - 2);
+    let next = at + 1;
+    quote! {
+        #[inline(always)]
+        fn angle_position(tangents: &[[f64; 3]; 2], parameters: &[f64]) -> [f64; 2] {
+            let [u, v] = tangents;
+            let low = parameters.get(#at).copied().unwrap_or(0.0);
+            let high = parameters.get(#next).copied().unwrap_or(0.0);
+            angle_position(&[u[0], u[1], u[2], v[0], v[1], v[2], low, high])
+        }
+        #[inline(always)]
+        fn angle_weight(position: [f64; 2]) -> [f64; 3] {
+            angle_weight(&position)
+        }
+    }
+}
+
+/// n, L, u, v, r_,cc of the projected curves.
+fn angle_inputs(e: &FormulatedElement<'_>) -> Vec<TokenStream> {
+    let (_, _, h) = e.sizes();
+    let mut inputs: Vec<TokenStream> = (0..3usize).map(|k| quote! { gap.n[#k] }).collect();
+    inputs.push(quote! { gap.distance });
+    inputs.extend((0..2usize).flat_map(|c| (0..3usize).map(move |k| quote! { tangents[#c][#k] })));
+    // 11 and 22 of two curves, the only one of the master else
+    let second = if h == 3 { vec![0, 2] } else { vec![0] };
+    inputs.extend(
+        second
             .into_iter()
-            .chain(&self.tangent)
+            .flat_map(|h| components("second", Some(h), 3)),
+    );
+    inputs
+}
+
+fn angle_force_method(e: &FormulatedElement<'_>) -> TokenStream {
+    let (_, p, h) = e.sizes();
+    let mut inputs = angle_inputs(e);
+    inputs.extend([quote! { blend.slope }, quote! { blend.energy }]);
+    let form = form(0);
+    quote! {
+        #[inline(always)]
+        fn angle_force(
+            tangents: &[[f64; 3]; 2],
+            vectors: &runtime::Vectors<3, #p, #h>,
+            gap: &runtime::Gap<3>,
+            blend: &runtime::Blend,
+        ) -> runtime::AngleForm<3> {
+            let o = angle_residual(&[#(#inputs),*]);
+            #form
+        }
     }
 }
 
-impl Facts<'_> {
-    /// Where the window of angles stands in the parameters.
-    pub(super) fn angle_offset(&self) -> TokenStream {
-        match self.parameters.angle() {
-            Some(at) => quote! { Some(#at) },
-            None => quote! { None },
+fn angle_tangent_method(e: &FormulatedElement<'_>, pairs: usize) -> TokenStream {
+    let (_, p, h) = e.sizes();
+    let mut inputs = angle_inputs(e);
+    let third = if p == 2 { vec![0usize, 3] } else { vec![0] };
+    inputs.extend(
+        third
+            .into_iter()
+            .flat_map(|h| (0..3usize).map(move |k| quote! { third[#h][#k] })),
+    );
+    let fields = ["slope", "energy", "curvature", "traction"];
+    inputs.extend(fields.map(|field| {
+        let field = quote::format_ident!("{field}");
+        quote! { blend.#field }
+    }));
+    let forms = (0..pairs).map(|pair| {
+        let (left, right) = (form(30 * pair), form(30 * pair + 15));
+        quote! { [#left, #right] }
+    });
+    let padding = (pairs..MOST_PAIRS).map(|_| quote! { [runtime::AngleForm::default(); 2] });
+    quote! {
+        #[inline(never)]
+        fn angle_tangent(
+            tangents: &[[f64; 3]; 2],
+            vectors: &runtime::Vectors<3, #p, #h>,
+            gap: &runtime::Gap<3>,
+            third: &[[f64; 3]; 4],
+            blend: &runtime::Blend,
+        ) -> runtime::AngleCoefficients<3> {
+            let o = angle_tangent(&[#(#inputs),*]);
+            runtime::AngleCoefficients([#(#forms,)* #(#padding),*])
         }
     }
+}
 
-    /// The methods of the trait that concern the angle.
-    pub(super) fn angle_methods(&self) -> TokenStream {
-        let Some(angle) = &self.angle else {
-            return quote! {};
-        };
-        let tangents = self.tangents_method();
-        let weight = self.weight_methods();
-        let force = self.angle_force_method();
-        let tangent = angle.tangent.as_ref().map(|_| {
-            let higher = self.higher_method();
-            let tangent = self.angle_tangent_method();
-            quote! { #higher #tangent }
-        });
-        let direction = (!self.projected_slave()).then(|| self.direction_method());
-        quote! {
-            const ANGLE: bool = true;
-            #tangents
-            #weight
-            #force
-            #tangent
-            #direction
-        }
-    }
-
-    fn tangents_method(&self) -> TokenStream {
-        let (_, p, h) = self.sizes();
-        let (body, first) = match self.fixed_tangent() {
-            Some(tangent) => (tangent, quote! { slave_tangent }),
-            None => (quote! {}, quote! { vectors.b[0] }),
-        };
-        let last = p - 1;
-        quote! {
-            #[inline(always)]
-            fn curve_tangents(
-                point: usize,
-                x: &[[f64; 3]],
-                vectors: &runtime::Vectors<3, #p, #h>,
-                parameters: &[f64],
-            ) -> [[f64; 3]; 2] {
-                #body
-                [#first, vectors.b[#last]]
-            }
-        }
-    }
-
-    fn weight_methods(&self) -> TokenStream {
-        let at = self.parameters.angle().unwrap_or(usize::MAX - 2);
-        let next = at + 1;
-        quote! {
-            #[inline(always)]
-            fn angle_position(tangents: &[[f64; 3]; 2], parameters: &[f64]) -> [f64; 2] {
-                let [u, v] = tangents;
-                let low = parameters.get(#at).copied().unwrap_or(0.0);
-                let high = parameters.get(#next).copied().unwrap_or(0.0);
-                angle_position(&[u[0], u[1], u[2], v[0], v[1], v[2], low, high])
-            }
-            #[inline(always)]
-            fn angle_weight(position: [f64; 2]) -> [f64; 3] {
-                angle_weight(&position)
-            }
-        }
-    }
-
-    /// n, L, u, v, r_,cc of the projected curves.
-    fn angle_inputs(&self) -> Vec<TokenStream> {
-        let (_, _, h) = self.sizes();
-        let mut inputs: Vec<TokenStream> = (0..3usize).map(|k| quote! { gap.n[#k] }).collect();
-        inputs.push(quote! { gap.distance });
-        inputs.extend(
-            (0..2usize).flat_map(|c| (0..3usize).map(move |k| quote! { tangents[#c][#k] })),
-        );
-        // 11 and 22 of two curves, the only one of the master else
-        let second = if h == 3 { vec![0, 2] } else { vec![0] };
-        inputs.extend(
-            second
-                .into_iter()
-                .flat_map(|h| components("second", Some(h), 3)),
-        );
-        inputs
-    }
-
-    fn angle_force_method(&self) -> TokenStream {
-        let (_, p, h) = self.sizes();
-        let mut inputs = self.angle_inputs();
-        inputs.extend([quote! { blend.slope }, quote! { blend.energy }]);
-        let form = form(0);
-        quote! {
-            #[inline(always)]
-            fn angle_force(
-                tangents: &[[f64; 3]; 2],
-                vectors: &runtime::Vectors<3, #p, #h>,
-                gap: &runtime::Gap<3>,
-                blend: &runtime::Blend,
-            ) -> runtime::AngleForm<3> {
-                let o = angle_residual(&[#(#inputs),*]);
-                #form
-            }
-        }
-    }
-
-    fn angle_tangent_method(&self) -> TokenStream {
-        let (_, p, h) = self.sizes();
-        let mut inputs = self.angle_inputs();
-        let third = if p == 2 { vec![0usize, 3] } else { vec![0] };
-        inputs.extend(
-            third
-                .into_iter()
-                .flat_map(|h| (0..3usize).map(move |k| quote! { third[#h][#k] })),
-        );
-        let fields = ["slope", "energy", "curvature", "traction"];
-        inputs.extend(fields.map(|field| {
-            let field = quote::format_ident!("{field}");
-            quote! { blend.#field }
-        }));
-        let pairs = (0..angle_tangent::pairs(p)).map(|pair| {
-            let (left, right) = (form(30 * pair), form(30 * pair + 15));
-            quote! { [#left, #right] }
-        });
-        let padding = (angle_tangent::pairs(p)..angle_tangent::pairs(2))
-            .map(|_| quote! { [runtime::AngleForm::default(); 2] });
-        quote! {
-            #[inline(never)]
-            fn angle_tangent(
-                tangents: &[[f64; 3]; 2],
-                vectors: &runtime::Vectors<3, #p, #h>,
-                gap: &runtime::Gap<3>,
-                third: &[[f64; 3]; 4],
-                blend: &runtime::Blend,
-            ) -> runtime::AngleCoefficients<3> {
-                let o = angle_tangent(&[#(#inputs),*]);
-                runtime::AngleCoefficients([#(#pairs,)* #(#padding),*])
-            }
-        }
-    }
-
-    pub(super) fn angle_description(&self) -> TokenStream {
-        let (Some(angle), Some(at)) = (&self.angle, self.parameters.angle()) else {
-            return quote! { None };
-        };
-        let small = angle.acts_at == model::Angle::Small;
-        let [position, weight, residual] =
-            [&angle.position, &angle.weight, &angle.residual].map(Emitted::table);
-        let tangent = match &angle.tangent {
-            Some(tangent) => {
-                let table = tangent.table();
-                quote! { Some(#table) }
-            }
-            None => quote! { None },
-        };
-        quote! {
-            Some(&AngleDescription {
-                small: #small,
-                window: #at,
-                position: #position,
-                weight: #weight,
-                residual: #residual,
-                tangent: #tangent,
-            })
-        }
+pub(super) fn angle_description(e: &FormulatedElement<'_>) -> TokenStream {
+    let (Some(angle), Some(at)) = (&e.angle, e.parameters.layout.angle) else {
+        return quote! { None };
+    };
+    let small = angle.acts_at == Angle::Small;
+    let [position, weight, residual] = [&angle.position, &angle.weight, &angle.residual].map(table);
+    let tangent = optional_table(angle.tangent.as_ref());
+    quote! {
+        Some(&AngleDescription {
+            small: #small,
+            window: #at,
+            position: #position,
+            weight: #weight,
+            residual: #residual,
+            tangent: #tangent,
+        })
     }
 }
 

@@ -3,20 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::linearise::second_derivatives;
-use crate::model::{Body, Geometry, Law, TangentialLaw};
-
-/// Nodes of a shape; a rigid geometry has no nodes.
-pub(super) fn nodes(geometry: &Geometry) -> usize {
-    match &geometry.body {
-        Body::Shape { functions, .. } => functions.len(),
-        _ => 0,
-    }
-}
-
-pub(super) fn is_rational(geometry: &Geometry) -> bool {
-    matches!(geometry.body, Body::Shape { rational: true, .. })
-}
+use crate::formulate::second_derivatives;
+use crate::model::{Geometry, Law, TangentialLaw};
 
 pub(super) fn geometry_path(geometry: &Geometry) -> TokenStream {
     let name = &geometry.name;
@@ -49,7 +37,7 @@ pub(super) fn tangential_law_path(law: &TangentialLaw) -> TokenStream {
 pub(super) fn shape_call(geometry: &Geometry) -> TokenStream {
     let path = geometry_path(geometry);
     let p = geometry.coordinates.len();
-    let (h, n) = (second_derivatives(p), nodes(geometry));
+    let (h, n) = (second_derivatives(p), geometry.nodes());
     quote! { <#path as runtime::Shape<#p, #h, #n>>::rows }
 }
 

@@ -4,42 +4,30 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::expressions::{components, matrix};
-use super::facts::kinematics;
-use crate::emit::program::Emitted;
-use crate::linearise::{Kinematics, second_derivatives, third_derivatives};
-use crate::model::{Axis, Element, Measure};
+use crate::emit::program::name;
+use crate::formulate::{FormulatedElement, FrictionPrograms, third_derivatives};
+use crate::model::Axis;
 
-/// Where no unknown turns the tangents, no axis moves with the slave and no measure with the point, the
-/// tangential tangent joins the matrix p of the normal one.
-pub(super) fn joins(element: &Element, kinematics: &Kinematics) -> bool {
-    let axis = element
-        .tangential
-        .as_ref()
-        .and_then(|tangential| tangential.axis);
-    let moving = kinematics.moving.contains(&true);
-    !moving && axis != Some(Axis::Slave) && element.measure != Measure::Current
-}
-
-/// Name of the call that gives the tangent of an element.
-pub(super) fn tangent_call(element: &Element, tangent: &Emitted) -> Ident {
-    let kind = if joins(element, &kinematics(element)) {
+/// Name of the call that gives the tangent, where there is one.
+pub(super) fn tangent_call(friction: &FrictionPrograms) -> Option<Ident> {
+    let kind = if friction.merges_with_normal {
         "joined"
     } else {
         "forms"
     };
-    format_ident!("{}_{kind}", tangent.function)
+    let tangent = friction.tangent.as_ref()?;
+    Some(format_ident!("{}_{kind}", tangent.function))
 }
 
 /// The tangential tangent as a call from values to values: no arrays of inputs and outputs in between.
-pub(super) fn tangent_items(
-    element: &Element,
-    kinematics: &Kinematics,
-    tangent: &Emitted,
-    axis: Option<Axis>,
-) -> TokenStream {
-    let (d, p) = (kinematics.dimension, kinematics.projected());
-    let h = second_derivatives(p);
-    let (name, function) = (tangent_call(element, tangent), &tangent.function);
+pub(super) fn tangent_items(e: &FormulatedElement<'_>) -> TokenStream {
+    let Some((friction, tangent)) =
+        (e.friction.as_ref()).and_then(|own| Some((own, own.tangent.as_ref()?)))
+    else {
+        return quote! {};
+    };
+    let (d, p, h) = e.sizes();
+    let (call, function) = (tangent_call(friction), name(tangent));
     let mut inputs = contact_inputs((d, p, h));
     for k in 0..third_derivatives(p) {
         // a curve's only third derivative stands first
@@ -52,15 +40,15 @@ pub(super) fn tangent_items(
     }
     inputs.extend((0..p).map(|q| quote! { tangential.h[#q] }));
     inputs.push(quote! { slope });
-    if element.rolling.is_some() {
+    if friction.rolling.is_some() {
         inputs.extend((0..p).map(|q| quote! { tangential.force[#q] }));
     }
-    let along = (axis == Some(Axis::Slave)).then(|| {
+    let along = (friction.axis == Some(Axis::Slave)).then(|| {
         inputs.extend((0..d).map(|k| quote! { slave_tangent[#k] }));
         quote! { , slave_tangent: &[f64; #d] }
     });
     let forms = coefficients((d, p, h));
-    let (result, value) = if joins(element, kinematics) {
+    let (result, value) = if friction.merges_with_normal {
         (quote! { [[f64; #d]; #d] }, quote! { #forms.joined() })
     } else {
         let result = quote! { runtime::TangentialCoefficients<#d, #p, #h> };
@@ -68,7 +56,7 @@ pub(super) fn tangent_items(
     };
     quote! {
         #[inline(never)]
-        pub(super) fn #name(
+        pub(super) fn #call(
             vectors: &runtime::Vectors<#d, #p, #h>,
             gap: &runtime::Gap<#d>,
             frame: &runtime::Frame<#p>,

@@ -2,7 +2,6 @@
 //!
 //! | file | question |
 //! |---|---|
-//! | `facts` | what is known before anything is emitted |
 //! | `implementation` | how the element is evaluated: constants, search, domains |
 //! | `slave` | which shape row the slave has |
 //! | `kinematics` | where slave and master are |
@@ -18,7 +17,6 @@ mod angle;
 mod description;
 mod descriptor;
 mod expressions;
-mod facts;
 mod friction;
 mod friction_tangent;
 mod gap;
@@ -35,22 +33,24 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::imports;
-use crate::model::Element;
-use facts::Facts;
+use super::program::{function, guarded_function};
+use crate::formulate::{AnglePrograms, FormulatedElement};
+use description::tables;
+use descriptor::descriptor;
 pub use friction::emit_friction;
+use implementation::implementation;
+use slave::statics;
 
 /// The type of an element with all that belongs to it.
-pub fn emit_element(element: &Element) -> TokenStream {
-    let facts = Facts::new(element);
-    let name = &element.name;
-    let docs = &element.docs;
+pub fn emit_element(e: &FormulatedElement<'_>) -> TokenStream {
+    let name = &e.declared.name;
+    let docs = &e.declared.docs;
     let module = format_ident!("_element_{}", name.to_string().to_lowercase());
-    let functions: TokenStream = facts.functions().collect();
-    let divisors = facts.divisors.functions();
-    let statics = facts.statics();
-    let implementation = facts.implementation();
-    let descriptor = facts.descriptor();
-    let tables = facts.tables();
+    let functions = functions(e);
+    let statics = statics(e);
+    let implementation = implementation(e);
+    let descriptor = descriptor(e);
+    let tables = tables(e);
     let imports = imports();
     quote! {
         #[doc = #docs]
@@ -62,11 +62,17 @@ pub fn emit_element(element: &Element) -> TokenStream {
             use super::*;
             #imports
             #functions
-            #divisors
             #statics
             #implementation
             #descriptor
             #tables
         }
     }
+}
+
+/// The functions of the element's own programs; those of friction are shared.
+fn functions(e: &FormulatedElement<'_>) -> TokenStream {
+    let angle = e.angle.iter().flat_map(AnglePrograms::routines);
+    let guarded = angle.chain(e.divisors.routines()).map(guarded_function);
+    e.own_routines().map(function).chain(guarded).collect()
 }

@@ -3,108 +3,106 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::expressions::{is_rational, nodes, shape_call};
-use super::facts::Facts;
+use super::expressions::shape_call;
+use crate::formulate::FormulatedElement;
 use crate::ir::interpret;
 use crate::linearise::geometry;
 use crate::model::{Geometry, Rule, Slave};
 
-impl Facts<'_> {
-    /// Shape rows at the integration points, and their derivatives where a measure needs them.
-    pub(super) fn statics(&self) -> TokenStream {
-        let Slave::Integrated {
-            geometry,
-            rule: Rule::Gauss(_),
-        } = &self.element.slave
-        else {
-            return quote! {};
-        };
-        let program = geometry::shape_program(geometry);
-        let n = nodes(geometry);
-        let p = geometry.coordinates.len();
-        let q = self.points.len();
-        let coordinates = self.points.iter().map(|(point, _)| {
-            let point = &point[..p];
-            quote! { [#(#point),*] }
+/// Shape rows at the integration points, and their derivatives where a measure needs them.
+pub(super) fn statics(e: &FormulatedElement<'_>) -> TokenStream {
+    let Slave::Integrated {
+        geometry,
+        rule: Rule::Gauss(_),
+    } = &e.declared.slave
+    else {
+        return quote! {};
+    };
+    let program = geometry::shape_program(geometry);
+    let n = geometry.nodes();
+    let p = geometry.coordinates.len();
+    let q = e.points.len();
+    let coordinates = e.points.iter().map(|(point, _)| {
+        let point = &point[..p];
+        quote! { [#(#point),*] }
+    });
+    let weights = e.points.iter().map(|(_, weight)| weight);
+    let rows = if geometry.is_rational() {
+        quote! {}
+    } else {
+        let values: Vec<Vec<f64>> = e
+            .points
+            .iter()
+            .map(|(point, _)| interpret(&program, &point[..p]))
+            .collect();
+        let rows = values.iter().map(|values| {
+            let row = &values[..n];
+            quote! { [#(#row),*] }
         });
-        let weights = self.points.iter().map(|(_, weight)| weight);
-        let rows = if is_rational(geometry) {
-            quote! {}
-        } else {
-            let values: Vec<Vec<f64>> = self
-                .points
-                .iter()
-                .map(|(point, _)| interpret(&program, &point[..p]))
-                .collect();
-            let rows = values.iter().map(|values| {
-                let row = &values[..n];
+        let slopes = values.iter().map(|values| {
+            let rows = (0..p).map(|i| {
+                let row = &values[n * (1 + i)..n * (2 + i)];
                 quote! { [#(#row),*] }
             });
-            let slopes = values.iter().map(|values| {
-                let rows = (0..p).map(|i| {
-                    let row = &values[n * (1 + i)..n * (2 + i)];
-                    quote! { [#(#row),*] }
-                });
-                quote! { [#(#rows),*] }
-            });
+            quote! { [#(#rows),*] }
+        });
+        quote! {
+            static ROWS: [[f64; #n]; #q] = [#(#rows),*];
+            static SLOPES: [[[f64; #n]; #p]; #q] = [#(#slopes),*];
+        }
+    };
+    quote! {
+        #rows
+        static POINTS: [[f64; #p]; #q] = [#(#coordinates),*];
+        static WEIGHTS: [f64; #q] = [#(#weights),*];
+    }
+}
+
+pub(super) fn slave_method(e: &FormulatedElement<'_>) -> TokenStream {
+    let body = match &e.declared.slave {
+        Slave::Point => quote! {
+            if let Some(s) = s.first_mut() {
+                *s = T::constant(1.0);
+            }
+        },
+        Slave::Interpolated | Slave::Projected(_) => quote! {},
+        Slave::Integrated { geometry, rule } => {
+            let n = geometry.nodes();
+            let row = slave_rows(e, geometry, rule);
             quote! {
-                static ROWS: [[f64; #n]; #q] = [#(#rows),*];
-                static SLOPES: [[[f64; #n]; #p]; #q] = [#(#slopes),*];
-            }
-        };
-        quote! {
-            #rows
-            static POINTS: [[f64; #p]; #q] = [#(#coordinates),*];
-            static WEIGHTS: [f64; #q] = [#(#weights),*];
-        }
-    }
-
-    pub(super) fn slave_method(&self) -> TokenStream {
-        let body = match &self.element.slave {
-            Slave::Point => quote! {
-                if let Some(s) = s.first_mut() {
-                    *s = T::constant(1.0);
-                }
-            },
-            Slave::Interpolated | Slave::Projected(_) => quote! {},
-            Slave::Integrated { geometry, rule } => {
-                let n = nodes(geometry);
-                let row = self.slave_rows(geometry, rule);
-                quote! {
-                    #row
-                    if let (Some(row), Some(s)) = (row, s.first_chunk_mut::<#n>()) {
-                        *s = row;
-                    }
+                #row
+                if let (Some(row), Some(s)) = (row, s.first_chunk_mut::<#n>()) {
+                    *s = row;
                 }
             }
-        };
-        quote! {
-            #[inline(always)]
-            fn slave<T: runtime::Real>(point: usize, parameters: &[T], s: &mut [T]) {
-                #body
-            }
+        }
+    };
+    quote! {
+        #[inline(always)]
+        fn slave<T: runtime::Real>(point: usize, parameters: &[T], s: &mut [T]) {
+            #body
         }
     }
+}
 
-    /// `let row: Option<[f64; n]> = …;`
-    fn slave_rows(&self, geometry: &Geometry, rule: &Rule) -> TokenStream {
-        let shape = shape_call(geometry);
-        let weights = self.parameters.slave_weights();
-        let start = self.parameters.point();
-        let p = geometry.coordinates.len();
-        match rule {
-            Rule::Given => quote! {
-                let weights = parameters.get(#weights..).unwrap_or(&[]);
-                let row = parameters
-                    .get(#start..)
-                    .and_then(|eta| eta.first_chunk::<#p>())
-                    .map(|eta| #shape(eta, weights).n);
-            },
-            Rule::Gauss(_) if is_rational(geometry) => quote! {
-                let weights = parameters.get(#weights..).unwrap_or(&[]);
-                let row = POINTS.get(point).map(|eta| #shape(&eta.map(T::constant), weights).n);
-            },
-            Rule::Gauss(_) => quote! { let row = ROWS.get(point).map(|row| row.map(T::constant)); },
-        }
+/// `let row: Option<[f64; n]> = …;`
+fn slave_rows(e: &FormulatedElement<'_>, geometry: &Geometry, rule: &Rule) -> TokenStream {
+    let shape = shape_call(geometry);
+    let weights = e.parameters.layout.slave_weights;
+    let start = e.parameters.layout.point;
+    let p = geometry.coordinates.len();
+    match rule {
+        Rule::Given => quote! {
+            let weights = parameters.get(#weights..).unwrap_or(&[]);
+            let row = parameters
+                .get(#start..)
+                .and_then(|eta| eta.first_chunk::<#p>())
+                .map(|eta| #shape(eta, weights).n);
+        },
+        Rule::Gauss(_) if geometry.is_rational() => quote! {
+            let weights = parameters.get(#weights..).unwrap_or(&[]);
+            let row = POINTS.get(point).map(|eta| #shape(&eta.map(T::constant), weights).n);
+        },
+        Rule::Gauss(_) => quote! { let row = ROWS.get(point).map(|row| row.map(T::constant)); },
     }
 }

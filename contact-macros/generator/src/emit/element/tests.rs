@@ -6,11 +6,10 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use super::facts::Facts;
-use crate::emit::{emit_element, program::Emitted, readable};
+use crate::emit::{emit_element, readable};
 use crate::expand::{expand_library, library_elements};
-use crate::linearise::geometry::{rigid_program, shape_program};
-use crate::model::{Body, Element, Linearisation, Master, Model};
+use crate::formulate::{FormulatedElement, Routine, formulate};
+use crate::model::{Body, Linearisation, Master, Model};
 
 /// Most bytes of the formatted source of one element.
 const MOST_BYTES: usize = 200_000;
@@ -26,12 +25,15 @@ const CLOSED_FORM: [&str; 7] = [
     "quadratic-rotation",
 ];
 
-fn elements() -> Vec<Element> {
-    library_elements().expect("the library").elements
+/// Calls `visit` with every built-in element.
+fn for_each_element(mut visit: impl FnMut(&FormulatedElement<'_>)) {
+    let model = library_elements().expect("the library");
+    let formulation = formulate(&model).expect("small programs");
+    formulation.elements.iter().for_each(&mut visit);
 }
 
-fn source(element: &Element) -> String {
-    let name = &element.name;
+fn source(element: &FormulatedElement<'_>) -> String {
+    let name = &element.declared.name;
     readable(&emit_element(element)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
@@ -64,17 +66,23 @@ fn emission_is_deterministic() {
 
 #[test]
 fn sources_parse_and_are_small() {
-    for element in elements() {
-        let bytes = source(&element).len();
-        assert!(bytes <= MOST_BYTES, "{}: {bytes} bytes", element.name);
-    }
+    for_each_element(|element| {
+        let bytes = source(element).len();
+        assert!(
+            bytes <= MOST_BYTES,
+            "{}: {bytes} bytes",
+            element.declared.name
+        );
+    });
 }
 
 #[test]
 fn golden_source_of_a_small_element() {
-    let elements = elements();
-    let element = elements.iter().find(|e| e.name == "PointPoint2d");
-    assert_golden("point_point2d.rs", &source(element.expect("an element")));
+    for_each_element(|element| {
+        if element.declared.name == "PointPoint2d" {
+            assert_golden("point_point2d.rs", &source(element));
+        }
+    });
 }
 
 /// A jump in cost shows here before it shows in a benchmark.
@@ -84,37 +92,35 @@ fn golden_operation_counts() {
         "{:<40}{:>6}{:>9}{:>9}\n",
         "element", "gap", "tangent", "measure"
     );
-    for element in elements() {
-        let facts = Facts::new(&element);
-        let count = |emitted: Option<&Emitted>| match emitted {
-            Some(emitted) => emitted.program.operations().to_string(),
-            None => "-".to_string(),
-        };
-        let name = element.name.to_string();
-        let gap = count(Some(&facts.gap));
-        let (tangent, measure) = (count(facts.tangent.as_ref()), count(facts.measure.as_ref()));
+    let count = |routine: Option<&Routine>| match routine {
+        Some(routine) => routine.operations().to_string(),
+        None => "-".to_string(),
+    };
+    for_each_element(|element| {
+        let name = element.declared.name.to_string();
+        let gap = count(Some(&element.gap));
+        let tangent = count(element.tangent.as_ref());
+        let measure = count(element.measure.as_ref());
         let _ = writeln!(table, "{name:<40}{gap:>6}{tangent:>9}{measure:>9}");
-    }
+    });
     let _ = writeln!(table, "\n{:<40}{:>6}", "geometry", "rows");
-    for geometry in &Model::library().geometries {
-        let program = match &geometry.body {
-            Body::Shape { .. } => shape_program(geometry),
-            Body::Rigid { .. } => rigid_program(geometry),
-            Body::Distance { .. } => continue,
-        };
-        let rows = Emitted::new(&program, "").program.operations();
-        let _ = writeln!(table, "{:<40}{rows:>6}", geometry.name.to_string());
+    let library = Model::library();
+    let formulation = formulate(&library).expect("small programs");
+    for geometry in &formulation.geometries {
+        if !matches!(geometry.declared.body, Body::Distance { .. }) {
+            let (name, rows) = (&geometry.declared.name, geometry.values.operations());
+            let _ = writeln!(table, "{:<40}{rows:>6}", name.to_string());
+        }
     }
     assert_golden("operations.txt", &table);
 }
 
 #[test]
 fn every_term_is_there_or_left_out_for_a_reason() {
-    for element in elements() {
-        let name = &element.name;
-        let facts = Facts::new(&element);
-        let Some(tangent) = &facts.tangent else {
-            continue;
+    for_each_element(|element| {
+        let name = &element.declared.name;
+        let Some(tangent) = &element.tangent else {
+            return;
         };
         let terms = &tangent.program.terms;
         assert!(!terms.is_empty(), "{name}");
@@ -122,18 +128,18 @@ fn every_term_is_there_or_left_out_for_a_reason() {
             let tag = term.tag;
             assert_eq!(term.present, term.reason.is_empty(), "{name}: {tag}");
         }
-        if matches!(element.master, Master::Distance { .. }) {
-            continue;
+        if matches!(element.declared.master, Master::Distance { .. }) {
+            return;
         }
         let mut tags: Vec<&str> = terms.iter().map(|term| term.tag).collect();
         tags.sort_unstable();
         assert_eq!(tags, CLOSED_FORM, "{name}");
-        if element.linearisation == Linearisation::TangentPlane {
+        if element.declared.linearisation == Linearisation::TangentPlane {
             let left_out = |tag| terms.iter().any(|term| term.tag == tag && !term.present);
             assert!(
                 left_out("quadratic-rotation") && left_out("F-curvature"),
                 "{name}"
             );
         }
-    }
+    });
 }

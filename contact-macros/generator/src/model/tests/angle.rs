@@ -1,7 +1,7 @@
 //! Elements that act at some angles of two curves.
 
 use crate::diagnostics::testing::{accept, assert_mistake};
-use crate::emit::Parameters;
+use crate::formulate::Parameters;
 use crate::model::Angle;
 
 /// An element with the entries `text`.
@@ -37,7 +37,7 @@ fn both_parts() {
             .map(|entry| entry.name.as_str())
             .collect();
         assert_eq!(names, ["angle_low", "angle_high"]);
-        assert_eq!(parameters.angle(), Some(last - 2));
+        assert_eq!(parameters.layout.angle, Some(last - 2));
     }
     let model = accept(&element("Line2 at gauss(2)", "Line2", "normal: Penalty;"));
     assert_eq!(model.elements[0].angle, None);

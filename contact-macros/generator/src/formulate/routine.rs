@@ -1,31 +1,46 @@
-//! Passes over programs, in the order they run. Each keeps the meaning: the interpreter agrees before
-//! and after up to the rounding of the operations that a pass says it changes.
+//! An optimised program and the name of the function that is emitted for it.
 
-mod prune;
-mod reciprocal;
-
+use super::digest::Digest;
 use crate::ir::Program;
+use crate::ir::passes::optimise;
 
-/// A pass: its name and what it does to a program.
-pub type Pass = (&'static str, fn(&Program) -> Program);
+/// A program after all passes.
+#[derive(Debug)]
+pub struct Routine {
+    /// The program.
+    pub program: Program,
+    /// Name of the emitted function.
+    pub function: String,
+}
 
-/// All passes in order.
-pub const PASSES: [Pass; 2] = [
-    ("reciprocal", reciprocal::share_reciprocals),
-    ("prune", prune::prune),
-];
+impl Routine {
+    /// Optimises `program`; its function has the name of the program.
+    pub fn new(program: &Program) -> Self {
+        Self {
+            program: optimise(program),
+            function: program.name.clone(),
+        }
+    }
 
-/// Runs all passes.
-pub fn optimise(program: &Program) -> Program {
-    PASSES
-        .iter()
-        .fold(program.clone(), |program, (_, pass)| pass(&program))
+    /// A program whose function several elements share: its name holds a hash of the operations.
+    pub fn shared(program: &Program) -> Self {
+        let mut routine = Self::new(program);
+        let mut digest = Digest::new();
+        digest.program(&routine.program);
+        routine.function = format!("{}_{:016x}", program.name, digest.finish());
+        routine
+    }
+
+    /// Operations of one call.
+    pub fn operations(&self) -> usize {
+        self.program.operations()
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::ir::interpret;
+    use crate::ir::passes::PASSES;
+    use crate::ir::{Program, interpret};
     use crate::linearise::{Kinematics, gap, normal};
     use crate::model::{Gap, Linearisation};
 

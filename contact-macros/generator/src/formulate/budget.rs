@@ -3,12 +3,7 @@
 
 use syn::Ident;
 
-use crate::ir::Program;
-use crate::linearise::geometry::{
-    rigid_program, rigid_third_program, shape_program, shape_third_program,
-};
-use crate::linearise::{distance, law, sliding};
-use crate::model::{Body, Geometry, Model};
+use super::Formulation;
 
 /// Operations of one program above which a declaration is refused.
 pub const MOST_OPERATIONS: usize = 10_000;
@@ -18,19 +13,14 @@ pub const MOST_OPERATIONS: usize = 10_000;
 ///
 /// # Errors
 /// One message per geometry or law, at its name.
-pub fn check(model: &Model) -> syn::Result<()> {
-    let geometries = model.geometries.iter().map(|g| (&g.name, largest(g)));
-    let laws = model
-        .laws
-        .iter()
-        .map(|l| (&l.name, law::law_program(l).operations()));
-    let tangential_laws = model.tangential_laws.iter().map(|law| {
-        let friction = sliding::friction_program(law).operations();
-        (&law.name, friction)
-    });
+pub fn check(formulation: &Formulation<'_>) -> syn::Result<()> {
+    let geometries = formulation.geometries.iter();
+    let laws = formulation.laws.iter();
+    let tangential_laws = formulation.tangential_laws.iter();
     let too_large = geometries
-        .chain(laws)
-        .chain(tangential_laws)
+        .map(|own| (&own.declared.name, own.operations))
+        .chain(laws.map(|own| (&own.declared.name, own.operations)))
+        .chain(tangential_laws.map(|own| (&own.declared.name, own.operations)))
         .filter(|(_, operations)| *operations > MOST_OPERATIONS)
         .map(|(name, operations)| message(name, operations));
     match too_large.reduce(|mut all, one| {
@@ -50,19 +40,10 @@ fn message(name: &Ident, operations: usize) -> syn::Error {
     syn::Error::new(name.span(), text)
 }
 
-/// Operations of the largest program of a geometry.
-fn largest(geometry: &Geometry) -> usize {
-    let programs: Vec<Program> = match &geometry.body {
-        Body::Shape { .. } => vec![shape_program(geometry), shape_third_program(geometry)],
-        Body::Rigid { .. } => vec![rigid_program(geometry), rigid_third_program(geometry)],
-        Body::Distance { .. } => vec![distance::tangent_program(geometry)],
-    };
-    programs.iter().map(Program::operations).max().unwrap_or(0)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::formulate::formulate;
+    use crate::model::Model;
 
     fn surface(terms: usize) -> syn::Result<()> {
         let sum: Vec<String> = (1..=terms)
@@ -73,7 +54,7 @@ mod tests {
             sum.join(" + ")
         );
         let file = syn::parse_str(&text)?;
-        check(&Model::build(&file, None)?)
+        formulate(&Model::build(&file, None)?).map(drop)
     }
 
     #[test]

@@ -1,0 +1,50 @@
+//! The programs of moments about two curves.
+
+use super::geometry::FormulatedGeometry;
+use super::routine::Routine;
+use crate::linearise::rolling::{self, Curves};
+use crate::linearise::{Kinematics, turning};
+use crate::model::{Element, Reference};
+
+/// Angles, residual and tangent of the moments.
+pub struct RollingPrograms {
+    /// The angles about both curves.
+    pub angle: Routine,
+    /// The residual.
+    pub residual: Routine,
+    /// The tangent, unless the element has a residual only.
+    pub tangent: Option<Routine>,
+    /// What the angles are measured from.
+    pub reference: Reference,
+}
+
+impl RollingPrograms {
+    /// The programs of `element`; `None` where its curves roll freely.
+    pub fn new(
+        element: &Element,
+        kinematics: &Kinematics,
+        slave: Option<&FormulatedGeometry>,
+        master: Option<&FormulatedGeometry>,
+    ) -> Option<Self> {
+        let reference = element.rolling.as_ref()?.reference;
+        let curves = Curves {
+            reference,
+            third: [slave?, master?].map(FormulatedGeometry::has_third),
+        };
+        let tangent = (!element.residual_only)
+            .then(|| Routine::shared(&turning::tangent_program(kinematics, curves)));
+        Some(Self {
+            angle: Routine::shared(&rolling::angle_program(reference)),
+            residual: Routine::shared(&rolling::residual_program(kinematics, curves)),
+            tangent,
+            reference,
+        })
+    }
+
+    /// All programs.
+    pub fn routines(&self) -> impl Iterator<Item = &Routine> {
+        [&self.angle, &self.residual]
+            .into_iter()
+            .chain(&self.tangent)
+    }
+}

@@ -2,12 +2,13 @@
 
 use super::geometry::FormulatedGeometry;
 use super::routine::Routine;
-use crate::linearise::angle::{self, Bends};
-use crate::linearise::{Kinematics, angle_tangent};
+use crate::linearise::angle::pair::Bends;
+use crate::linearise::angle::{residual, tangent, weight};
+use crate::linearise::shared::Kinematics;
 use crate::model::{Angle, Element};
 
 /// Largest number of pairs of forms that the tangent gives.
-pub const MOST_PAIRS: usize = angle_tangent::pairs(2);
+pub const MOST_PAIRS: usize = tangent::pairs(2);
 
 /// Position in the window, weight, and the weight's share of residual and tangent.
 pub struct AnglePrograms {
@@ -39,14 +40,14 @@ impl AnglePrograms {
             third: [slave?, master?].map(FormulatedGeometry::has_third),
         };
         let tangent =
-            (!element.residual_only).then(|| Routine::new(&angle_tangent::tangent_program(&bends)));
+            (!element.residual_only).then(|| Routine::new(&tangent::tangent_program(&bends)));
         Some(Self {
-            position: Routine::new(&angle::position_program(acts_at)),
-            weight: Routine::new(&angle::weight_program()),
-            residual: Routine::new(&angle::residual_program(&bends)),
+            position: Routine::new(&weight::position_program(acts_at)),
+            weight: Routine::new(&weight::weight_program()),
+            residual: Routine::new(&residual::residual_program(&bends)),
             tangent,
             acts_at,
-            pairs: angle_tangent::pairs(kinematics.projected()),
+            pairs: tangent::pairs(kinematics.projected()),
         })
     }
 

@@ -2,6 +2,7 @@
 
 use super::digest::Digest;
 use super::element::FormulatedElement;
+use crate::ir::interpret;
 use crate::model::{Body, Domain, Enforcement, Master, Measure, Slave};
 
 /// Limits of a batch in lanes; the kernels assert them.
@@ -65,6 +66,18 @@ impl FormulatedElement<'_> {
             }
             _ => [0.0; 2],
         }
+    }
+
+    /// N_A, N_A,i, N_A,ij of the slave at each integration point, from the rows as declared.
+    pub fn shape_values(&self) -> Vec<Vec<f64>> {
+        let Some(slave) = &self.slave else {
+            return vec![];
+        };
+        let p = slave.declared.coordinates.len();
+        let points = self.points.iter();
+        points
+            .map(|(point, _)| interpret(&slave.source, &point[..p]))
+            .collect()
     }
 
     /// Whether the tangent is symmetric.

@@ -14,7 +14,8 @@ use super::rolling::RollingPrograms;
 use super::routine::Routine;
 use super::rule::{WeightedPoint, gauss};
 use crate::ir::Program;
-use crate::linearise::{Kinematics, gap, measure, normal, second_derivatives};
+use crate::linearise::normal::{gap, tangent};
+use crate::linearise::shared::{Kinematics, measure, second_derivatives};
 use crate::model::{Body, Element, Master, Measure, Rule, Slave};
 
 /// Everything about an element that is emitted.
@@ -164,7 +165,7 @@ fn normal_programs(
         Some((gap, Some(tangent))) => (gap.clone(), tangent.clone()),
         _ => (
             gap::gap_program(kinematics),
-            normal::tangent_program(kinematics),
+            tangent::tangent_program(kinematics),
         ),
     }
 }

@@ -2,7 +2,8 @@
 
 use super::rolling::RollingPrograms;
 use super::routine::Routine;
-use crate::linearise::{Kinematics, frame, tangential};
+use crate::linearise::shared::Kinematics;
+use crate::linearise::tangential::{frame, residual, tangent};
 use crate::model::{Axis, Element, Measure};
 
 /// Frame, residual and tangent of tangential contact, and what comes with rolling.
@@ -32,11 +33,11 @@ impl FrictionPrograms {
         let axis = element.tangential.as_ref()?.axis;
         let rolls = element.rolling.is_some();
         let tangent = (!element.residual_only)
-            .then(|| Routine::shared(&tangential::tangent_program(kinematics, axis, rolls)));
+            .then(|| Routine::shared(&tangent::tangent_program(kinematics, axis, rolls)));
         let moving = kinematics.moving.contains(&true);
         Some(Self {
             frame: Routine::shared(&frame::frame_program(kinematics, axis)),
-            residual: Routine::shared(&tangential::residual_program(kinematics)),
+            residual: Routine::shared(&residual::residual_program(kinematics)),
             tangent,
             rolling,
             axis,

@@ -4,7 +4,8 @@ use std::rc::Rc;
 
 use super::routine::Routine;
 use crate::ir::Program;
-use crate::linearise::{distance, geometry};
+use crate::linearise::normal::distance;
+use crate::linearise::shared::geometry;
 use crate::model::{Body, Geometry};
 
 /// A geometry with its programs.

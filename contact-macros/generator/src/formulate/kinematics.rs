@@ -1,7 +1,7 @@
 //! Which parameters move what, and where anything is curved.
 
 use super::geometry::FormulatedGeometry;
-use crate::linearise::Kinematics;
+use crate::linearise::shared::Kinematics;
 use crate::model::{Element, Master, Slave};
 
 /// What the closed forms need to know about the pair of `element`.

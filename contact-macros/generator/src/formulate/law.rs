@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::routine::Routine;
-use crate::linearise::{law, sliding};
+use crate::linearise::{normal, tangential};
 use crate::model::{Law, TangentialLaw};
 
 /// A normal law with its programs.
@@ -24,8 +24,9 @@ pub struct FormulatedLaw {
 impl FormulatedLaw {
     /// The programs of `declared`.
     pub fn new(declared: &Rc<Law>) -> Self {
-        let program = law::law_program(declared);
-        let bound = |name: &str, bound| Routine::new(&law::bound_program(declared, name, bound));
+        let program = normal::law::law_program(declared);
+        let bound =
+            |name: &str, bound| Routine::new(&normal::law::bound_program(declared, name, bound));
         Self {
             operations: program.operations(),
             law: Routine::new(&program),
@@ -57,12 +58,12 @@ pub struct FormulatedTangentialLaw {
 impl FormulatedTangentialLaw {
     /// The programs of `declared`.
     pub fn new(declared: &Rc<TangentialLaw>) -> Self {
-        let program = sliding::friction_program(declared);
+        let program = tangential::law::friction_program(declared);
         let bounded = !declared.bound.is_empty();
         Self {
             operations: program.operations(),
             friction: Routine::new(&program),
-            sliding: bounded.then(|| Routine::new(&sliding::sliding_program(declared))),
+            sliding: bounded.then(|| Routine::new(&tangential::law::sliding_program(declared))),
             declared: Rc::clone(declared),
         }
     }

@@ -32,7 +32,7 @@ mod rule;
 
 use std::rc::Rc;
 
-pub use crate::linearise::{second_derivatives, third_derivatives};
+pub use crate::linearise::shared::{second_derivatives, third_derivatives};
 use crate::model::Model;
 use catalogue::Catalogue;
 

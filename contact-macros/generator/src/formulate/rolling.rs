@@ -2,8 +2,9 @@
 
 use super::geometry::FormulatedGeometry;
 use super::routine::Routine;
-use crate::linearise::rolling::{self, Curves};
-use crate::linearise::{Kinematics, turning};
+use crate::linearise::rolling::curves::Curves;
+use crate::linearise::rolling::{angle, residual, tangent};
+use crate::linearise::shared::Kinematics;
 use crate::model::{Element, Reference};
 
 /// Angles, residual and tangent of the moments.
@@ -32,10 +33,10 @@ impl RollingPrograms {
             third: [slave?, master?].map(FormulatedGeometry::has_third),
         };
         let tangent = (!element.residual_only)
-            .then(|| Routine::shared(&turning::tangent_program(kinematics, curves)));
+            .then(|| Routine::shared(&tangent::tangent_program(kinematics, curves)));
         Some(Self {
-            angle: Routine::shared(&rolling::angle_program(reference)),
-            residual: Routine::shared(&rolling::residual_program(kinematics, curves)),
+            angle: Routine::shared(&angle::angle_program(reference)),
+            residual: Routine::shared(&residual::residual_program(kinematics, curves)),
             tangent,
             reference,
         })

@@ -41,7 +41,8 @@ impl Routine {
 mod tests {
     use crate::ir::passes::PASSES;
     use crate::ir::{Program, interpret};
-    use crate::linearise::{Kinematics, gap, normal};
+    use crate::linearise::normal::{gap, tangent};
+    use crate::linearise::shared::Kinematics;
     use crate::model::{Gap, Linearisation};
 
     fn divisions(program: &Program) -> usize {
@@ -64,7 +65,7 @@ mod tests {
             linearisation: Linearisation::Exact,
         };
         for program in [
-            normal::tangent_program(&kinematics),
+            tangent::tangent_program(&kinematics),
             gap::gap_program(&kinematics),
         ] {
             let inputs: Vec<f64> = (0..program.inputs.len())

@@ -5,8 +5,6 @@ use quote::quote;
 
 use super::expressions::shape_call;
 use crate::formulate::FormulatedElement;
-use crate::ir::interpret;
-use crate::linearise::geometry;
 use crate::model::{Geometry, Rule, Slave};
 
 /// Shape rows at the integration points, and their derivatives where a measure needs them.
@@ -18,8 +16,6 @@ pub(super) fn statics(e: &FormulatedElement<'_>) -> TokenStream {
     else {
         return quote! {};
     };
-    let program = geometry::shape_program(geometry);
-    let n = geometry.nodes();
     let p = geometry.coordinates.len();
     let q = e.points.len();
     let coordinates = e.points.iter().map(|(point, _)| {
@@ -27,34 +23,27 @@ pub(super) fn statics(e: &FormulatedElement<'_>) -> TokenStream {
         quote! { [#(#point),*] }
     });
     let weights = e.points.iter().map(|(_, weight)| weight);
-    let rows = if geometry.is_rational() {
-        quote! {}
-    } else {
-        let values: Vec<Vec<f64>> = e
-            .points
-            .iter()
-            .map(|(point, _)| interpret(&program, &point[..p]))
-            .collect();
-        let rows = values.iter().map(|values| {
-            let row = &values[..n];
-            quote! { [#(#row),*] }
-        });
-        let slopes = values.iter().map(|values| {
-            let rows = (0..p).map(|i| {
-                let row = &values[n * (1 + i)..n * (2 + i)];
-                quote! { [#(#row),*] }
-            });
-            quote! { [#(#rows),*] }
-        });
-        quote! {
-            static ROWS: [[f64; #n]; #q] = [#(#rows),*];
-            static SLOPES: [[[f64; #n]; #p]; #q] = [#(#slopes),*];
-        }
-    };
+    let rows = (!geometry.is_rational()).then(|| shape_rows(e, geometry));
     quote! {
         #rows
         static POINTS: [[f64; #p]; #q] = [#(#coordinates),*];
         static WEIGHTS: [f64; #q] = [#(#weights),*];
+    }
+}
+
+/// Rows and slopes as constants: without weights they depend on nothing that comes at run time.
+fn shape_rows(e: &FormulatedElement<'_>, geometry: &Geometry) -> TokenStream {
+    let (n, p, q) = (geometry.nodes(), geometry.coordinates.len(), e.points.len());
+    let values = e.shape_values();
+    let row = |row: &[f64]| quote! { [#(#row),*] };
+    let rows = values.iter().map(|values| row(&values[..n]));
+    let slopes = values.iter().map(|values| {
+        let rows = (0..p).map(|i| row(&values[n * (1 + i)..n * (2 + i)]));
+        quote! { [#(#rows),*] }
+    });
+    quote! {
+        static ROWS: [[f64; #n]; #q] = [#(#rows),*];
+        static SLOPES: [[[f64; #n]; #p]; #q] = [#(#slopes),*];
     }
 }
 

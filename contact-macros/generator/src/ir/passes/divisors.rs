@@ -26,7 +26,7 @@ pub fn divisor_program(program: &Program, name: &str) -> Option<Program> {
         found.extend(divisor(&mut result.graph, node));
     }
     for (number, &id) in found.iter().enumerate() {
-        result.output(format!("divisor_{number}"), id);
+        result.outputs.push((format!("divisor_{number}"), id));
     }
     (!found.is_empty()).then_some(result)
 }
@@ -48,31 +48,31 @@ fn divisor(graph: &mut Graph, node: Node) -> Option<NodeId> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ir::{differentiate, interpret};
+    use crate::ir::{Sheet, interpret};
 
     #[test]
     fn the_slope_of_a_root_divides_by_the_root() {
-        let mut program = Program::new("f");
-        let (x, y) = (program.input("x"), program.input("y"));
-        let graph = &mut program.graph;
-        let (xx, yy) = (graph.multiply(x, x), graph.multiply(y, y));
-        let sum = graph.add(xx, yy);
-        let root = graph.unary(Unary::Sqrt, sum);
-        program.output("f", root);
-        assert!(divisor_program(&program, "divisors").is_none());
-        let slope = differentiate(&mut program.graph, root, 0);
-        program.output("slope", slope);
-        let divisors = divisor_program(&program, "divisors").expect("a root to divide by");
+        let program = |with_slope: bool| {
+            let sheet = Sheet::new("f");
+            let (x, y) = (sheet.input("x"), sheet.input("y"));
+            let root = (x * x + y * y).sqrt();
+            sheet.output("f", root);
+            if with_slope {
+                sheet.output("slope", root.derivative(0));
+            }
+            sheet.finish()
+        };
+        assert!(divisor_program(&program(false), "divisors").is_none());
+        let divisors = divisor_program(&program(true), "divisors").expect("a root to divide by");
         assert_eq!(interpret(&divisors, &[3.0, 4.0]), [5.0]);
     }
 
     #[test]
     fn a_logarithm_needs_a_positive_argument() {
-        let mut program = Program::new("f");
-        let x = program.input("x");
-        let logarithm = program.graph.unary(Unary::Ln, x);
-        program.output("f", logarithm);
-        let divisors = divisor_program(&program, "divisors").expect("an argument");
+        let sheet = Sheet::new("f");
+        let x = sheet.input("x");
+        sheet.output("f", x.unary(Unary::Ln));
+        let divisors = divisor_program(&sheet.finish(), "divisors").expect("an argument");
         assert_eq!(interpret(&divisors, &[4.0]), [2.0]);
     }
 }

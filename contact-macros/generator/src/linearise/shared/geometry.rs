@@ -1,49 +1,43 @@
 //! Declared geometries and their derivatives to third order.
 
+use super::lower::Scope;
 use super::{second_derivatives, third_derivatives};
-use crate::ir::{NodeId, Program, Scope, differentiate, interpret, lower};
+use crate::ir::{Program, Scalar, Sheet, interpret};
 use crate::model::{Body, Geometry, Parameter};
+
+/// A row of values: one per node, or one per component of a position.
+type Row<'s> = Vec<Scalar<'s>>;
 
 /// ζ, weights → N_A, N_A,i, N_A,ij in the order `n`, `d1` (i, A), `d2` (ij, A).
 pub fn shape_program(geometry: &Geometry) -> Program {
-    let mut program = Program::new("rows");
-    let (functions, p) = shape_functions(&mut program, geometry);
-    let first = derivatives(&mut program, &functions, p);
-    let second = higher(&mut program, &first, p);
-    emit_rows(&mut program, "n", &[functions]);
-    emit_rows(&mut program, "d1", &first);
-    emit_rows(&mut program, "d2", &second);
-    program
+    let sheet = Sheet::new("rows");
+    let functions = shape_functions(&sheet, geometry);
+    lower_orders(&sheet, geometry, functions, ["n", "d1", "d2"]);
+    sheet.finish()
 }
 
 /// ζ, weights → N_A,ijk in the order 111 (112 122 222), A fastest.
 pub fn shape_third_program(geometry: &Geometry) -> Program {
-    let mut program = Program::new("rows_third");
-    let (functions, p) = shape_functions(&mut program, geometry);
-    let third = third(&mut program, &functions, p);
-    emit_rows(&mut program, "d3", &third);
-    program
+    let sheet = Sheet::new("rows_third");
+    let functions = shape_functions(&sheet, geometry);
+    third_order(&sheet, geometry, functions, "d3");
+    sheet.finish()
 }
 
 /// ζ, parameters → ρ, ρ_i, ρ_ij of a rigid geometry.
 pub fn rigid_program(geometry: &Geometry) -> Program {
-    let mut program = Program::new("position");
-    let (position, p) = rigid_position(&mut program, geometry);
-    let first = derivatives(&mut program, &position, p);
-    let second = higher(&mut program, &first, p);
-    emit_rows(&mut program, "rho", &[position]);
-    emit_rows(&mut program, "rho_i", &first);
-    emit_rows(&mut program, "rho_ij", &second);
-    program
+    let sheet = Sheet::new("position");
+    let position = rigid_position(&sheet, geometry);
+    lower_orders(&sheet, geometry, position, ["rho", "rho_i", "rho_ij"]);
+    sheet.finish()
 }
 
 /// ζ, parameters → ρ_ijk of a rigid geometry.
 pub fn rigid_third_program(geometry: &Geometry) -> Program {
-    let mut program = Program::new("position_third");
-    let (position, p) = rigid_position(&mut program, geometry);
-    let third = third(&mut program, &position, p);
-    emit_rows(&mut program, "rho_ijk", &third);
-    program
+    let sheet = Sheet::new("position_third");
+    let position = rigid_position(&sheet, geometry);
+    third_order(&sheet, geometry, position, "rho_ijk");
+    sheet.finish()
 }
 
 /// x, parameters → ζ in closed form, where the geometry declares it.
@@ -55,21 +49,15 @@ pub fn projection_program(geometry: &Geometry) -> Option<Program> {
     else {
         return None;
     };
-    let mut program = Program::new("projection");
-    let mut scope = Scope::default();
-    for name in &closed.coordinates {
-        let node = program.input(name.to_string());
-        scope.define(name, node);
-    }
-    for parameter in &geometry.parameters {
-        let node = program.input(parameter.name.to_string());
-        scope.define(&parameter.name, node);
-    }
+    let sheet = Sheet::new("projection");
+    let mut scope = Scope::new(&sheet);
+    scope.inputs(&closed.coordinates);
+    scope.inputs(geometry.parameters.iter().map(|parameter| &parameter.name));
     for (index, value) in closed.values.iter().enumerate() {
-        let value = lower(&mut program.graph, &scope, value);
-        program.output(format!("zeta_{index}"), value);
+        sheet.output(format!("zeta_{index}"), scope.lower(value));
     }
-    Some(program)
+    drop(scope);
+    Some(sheet.finish())
 }
 
 /// Which second derivatives (11, 12, 22) can be non-zero, from the program of rows or positions.
@@ -143,7 +131,7 @@ fn sample(parameter: &Parameter) -> f64 {
 }
 
 /// N_A at ζ; rational ones are weighted and divided by their sum. [eq:rational]
-fn shape_functions(program: &mut Program, geometry: &Geometry) -> (Vec<NodeId>, usize) {
+fn shape_functions<'s>(sheet: &'s Sheet, geometry: &Geometry) -> Row<'s> {
     let Body::Shape {
         functions,
         rational,
@@ -152,91 +140,76 @@ fn shape_functions(program: &mut Program, geometry: &Geometry) -> (Vec<NodeId>, 
     else {
         unreachable!("called for shape functions only")
     };
-    let mut scope = Scope::default();
-    for name in &geometry.coordinates {
-        let node = program.input(name.to_string());
-        scope.define(name, node);
-    }
-    let weights: Vec<NodeId> = if *rational {
-        (0..functions.len())
-            .map(|a| program.input(format!("weight_{a}")))
-            .collect()
-    } else {
-        vec![]
-    };
-    scope.bind(&mut program.graph, &geometry.bindings);
-    let mut values: Vec<NodeId> = functions
-        .iter()
-        .map(|function| lower(&mut program.graph, &scope, function))
+    let mut scope = Scope::new(sheet);
+    scope.inputs(&geometry.coordinates);
+    let count = if *rational { functions.len() } else { 0 };
+    let weights: Row = (0..count)
+        .map(|a| sheet.input(format!("weight_{a}")))
         .collect();
+    scope.bind(&geometry.bindings);
+    let mut values = scope.lower_all(functions);
     if *rational {
-        let graph = &mut program.graph;
-        let mut total = graph.constant(0.0);
-        for (value, &weight) in values.iter_mut().zip(&weights) {
-            *value = graph.multiply(*value, weight);
-            total = graph.add(total, *value);
+        let mut total = sheet.zero();
+        for (value, weight) in values.iter_mut().zip(weights) {
+            *value = *value * weight;
+            total = total + *value;
         }
         for value in &mut values {
-            *value = graph.divide(*value, total);
+            *value = *value / total;
         }
     }
-    (values, geometry.coordinates.len())
+    values
 }
 
 /// ρ(ζ; parameters). [eq:rigid]
-fn rigid_position(program: &mut Program, geometry: &Geometry) -> (Vec<NodeId>, usize) {
+fn rigid_position<'s>(sheet: &'s Sheet, geometry: &Geometry) -> Row<'s> {
     let Body::Rigid { position, .. } = &geometry.body else {
         unreachable!("called for rigid geometries only")
     };
-    let mut scope = Scope::default();
-    for name in &geometry.coordinates {
-        let node = program.input(name.to_string());
-        scope.define(name, node);
+    Scope::of_geometry(sheet, geometry).lower_all(position)
+}
+
+/// The outputs of value, first and second derivatives under three names.
+fn lower_orders<'s>(sheet: &'s Sheet, geometry: &Geometry, values: Row<'s>, names: [&str; 3]) {
+    let p = geometry.coordinates.len();
+    let first = first(&values, p);
+    let second = higher(&first, p);
+    for (name, rows) in names.into_iter().zip([vec![values], first, second]) {
+        output_rows(sheet, name, &rows);
     }
-    for parameter in &geometry.parameters {
-        let node = program.input(parameter.name.to_string());
-        scope.define(&parameter.name, node);
-    }
-    scope.bind(&mut program.graph, &geometry.bindings);
-    let values = position
-        .iter()
-        .map(|component| lower(&mut program.graph, &scope, component))
-        .collect();
-    (values, geometry.coordinates.len())
+}
+
+/// The outputs of the third derivatives.
+fn third_order<'s>(sheet: &'s Sheet, geometry: &Geometry, values: Row<'s>, name: &str) {
+    let p = geometry.coordinates.len();
+    let second = higher(&first(&values, p), p);
+    output_rows(sheet, name, &higher(&second, p));
 }
 
 /// First derivatives, one row per parameter.
-fn derivatives(program: &mut Program, values: &[NodeId], p: usize) -> Vec<Vec<NodeId>> {
-    (0..p).map(|i| derivative(program, values, i)).collect()
+fn first<'s>(values: &[Scalar<'s>], p: usize) -> Vec<Row<'s>> {
+    (0..p).map(|i| derivative(values, i)).collect()
 }
 
 /// Rows of the next order from rows in the order 1.. (or 11, 12, 22): for p = 2 the last row of each
 /// parameter's block gives the new one, so 1, 2 → 11, 12, 22 → 111, 112, 122, 222.
-fn higher(program: &mut Program, rows: &[Vec<NodeId>], p: usize) -> Vec<Vec<NodeId>> {
-    let mut next: Vec<Vec<NodeId>> = rows.iter().map(|row| derivative(program, row, 0)).collect();
+fn higher<'s>(rows: &[Row<'s>], p: usize) -> Vec<Row<'s>> {
+    let mut next: Vec<Row> = rows.iter().map(|row| derivative(row, 0)).collect();
     if p == 2 {
         let last = rows.last().expect("two parameters have derivatives");
-        next.push(derivative(program, last, 1));
+        next.push(derivative(last, 1));
     }
     next
 }
 
-fn third(program: &mut Program, values: &[NodeId], p: usize) -> Vec<Vec<NodeId>> {
-    let first = derivatives(program, values, p);
-    let second = higher(program, &first, p);
-    higher(program, &second, p)
-}
-
-fn derivative(program: &mut Program, row: &[NodeId], parameter: usize) -> Vec<NodeId> {
+fn derivative<'s>(row: &[Scalar<'s>], parameter: usize) -> Row<'s> {
     row.iter()
-        .map(|&value| differentiate(&mut program.graph, value, parameter))
+        .map(|value| value.derivative(parameter))
         .collect()
 }
 
-fn emit_rows(program: &mut Program, name: &str, rows: &[Vec<NodeId>]) {
+fn output_rows(sheet: &Sheet, name: &str, rows: &[Row<'_>]) {
     for (i, row) in rows.iter().enumerate() {
-        for (a, &value) in row.iter().enumerate() {
-            program.output(format!("{name}_{i}_{a}"), value);
-        }
+        sheet.outputs(&format!("{name}_{i}"), row);
     }
 }

@@ -11,6 +11,7 @@ use crate::contacts::{Contacts, contacts, parameters};
 use crate::element::{Element, info};
 use crate::entropy::Entropy;
 use crate::evaluate::perform;
+use crate::fortran::batch::{self as by_name, ManyContacts};
 use crate::harness::{Checked, Harness};
 use crate::ledger::function;
 use crate::memory::Output;
@@ -78,7 +79,17 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     let call = || unsafe { evaluate(handle, contacts.n, pointer) };
     // SAFETY: as above.
     let call_threads = || unsafe { by_threads(handle, contacts.n, pointer, 2) };
-    let (function, (code, raised)) = if contacts.n % 4 == 3 {
+    let fortran = match entropy.chance(1, 3) {
+        true => ManyContacts::new(harness, &element, &contacts, &batch),
+        false => None,
+    };
+    let (function, (code, raised)) = if let Some(fortran) = fortran {
+        // SAFETY: as above.
+        let call = || unsafe { fortran.call(pointer) };
+        let outcome = harness.noting(by_name::FUNCTION, mode(&element), call);
+        fortran.check()?;
+        (by_name::FUNCTION, outcome)
+    } else if contacts.n % 4 == 3 {
         (
             BY_THREADS,
             harness.noting(BY_THREADS, mode(&element), call_threads),

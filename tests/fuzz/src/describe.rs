@@ -7,9 +7,10 @@ use contact_elements::abi::{ApiTable, Info};
 use crate::check::{INFO_IN_0_1, is_refused};
 use crate::element::text;
 use crate::entropy::Entropy;
+use crate::fortran::describe as fortran;
 use crate::harness::{Checked, Harness};
 use crate::ledger::function;
-use crate::memory::{Edge, Output};
+use crate::memory::Edge;
 use crate::numbers::NUMBERS;
 use crate::parameters;
 
@@ -23,13 +24,12 @@ const UNKNOWN: usize = function("cte_element_unknown");
 const CODE_MESSAGE: usize = function("cte_code_message");
 const STATUS_MESSAGE: usize = function("cte_status_message");
 const ARGUMENT_NAME: usize = function("cte_argument_name");
-const F77_INFO: usize = function("cte_f77_info_");
 /// Before a call in integers.
 pub(crate) const UNSET: i32 = 0x5a5a_5a5a;
 
 /// One of them.
 pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
-    match entropy.below(9) {
+    match entropy.below(12) {
         0 => versions(harness, entropy),
         1 => get(harness, entropy),
         2 => find(harness, entropy),
@@ -37,7 +37,19 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
         4 => unknown(harness, entropy),
         5 => parameters::describe(harness, entropy),
         6 => parameters::check(harness, entropy),
-        7 => f77_info(harness, entropy),
+        7 => {
+            let at = harness.element(entropy);
+            let asked = (nodes(harness, at, entropy), edge(entropy));
+            fortran::info(harness, entropy, asked)
+        }
+        8 => {
+            let edge = edge(entropy);
+            fortran::find(harness, entropy, edge)
+        }
+        9 => {
+            let edge = edge(entropy);
+            fortran::message(harness, entropy, edge)
+        }
         _ => messages(harness, entropy),
     }
 }
@@ -246,26 +258,6 @@ fn unknown(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     expect(fine, || {
         format!("unknown {index}: node {node}, kind {kind}, code {code}")
     })
-}
-
-fn f77_info(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
-    let at = harness.element(entropy);
-    let (nnode, edge) = (nodes(harness, at, entropy), edge(entropy));
-    let index = match entropy.below(4) {
-        0 => entropy.strange_i32(at as i32),
-        _ => harness.elements[at].index,
-    };
-    let [first, second, third, ..] = &mut harness.slots.integers;
-    let (index, nnode) = (first.input(&[index], edge), second.input(&[nnode], edge));
-    let sizes: Output<i32> = third.output(&[UNSET; 8], edge);
-    let info = harness.interface.fortran.info;
-    // SAFETY: integers, and eight of them.
-    harness.call(F77_INFO, || unsafe { info(index, nnode, sizes.pointer) });
-    sizes.check_margins("sizes")?;
-    let values = sizes.values();
-    let none = values.iter().all(|&value| value == -1);
-    let all = values.iter().all(|&value| value >= 0) && !values.contains(&UNSET);
-    expect(none || all, || format!("{values:?}"))
 }
 
 fn messages(harness: &mut Harness, entropy: &mut Entropy) -> Checked {

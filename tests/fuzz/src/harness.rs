@@ -12,6 +12,9 @@ use crate::memory::Slot;
 use crate::traps::Exceptions;
 use crate::{batch, describe, evaluate, fortran, histories, patch, project, sparse};
 
+/// Integers behind addresses of one call.
+const INTEGERS: usize = 12;
+
 /// What a case ends with: nothing, or what was found.
 pub type Checked = Result<(), String>;
 
@@ -60,11 +63,15 @@ pub struct Slots {
     /// Its connectivity.
     pub connectivity: Slot,
     /// Integers behind addresses.
-    pub integers: [Slot; 6],
+    pub integers: [Slot; INTEGERS],
 }
 
 impl Slots {
     fn new() -> rustix::io::Result<Self> {
+        let integers: Vec<Slot> = (0..INTEGERS)
+            .map(|_| Slot::new())
+            .collect::<Result<_, _>>()?;
+        let integers: [Slot; INTEGERS] = integers.try_into().expect("as many");
         Ok(Self {
             arguments: Slot::new()?,
             x: Slot::new()?,
@@ -87,14 +94,7 @@ impl Slots {
             result: Slot::new()?,
             patch: Slot::new()?,
             connectivity: Slot::new()?,
-            integers: [
-                Slot::new()?,
-                Slot::new()?,
-                Slot::new()?,
-                Slot::new()?,
-                Slot::new()?,
-                Slot::new()?,
-            ],
+            integers,
         })
     }
 }

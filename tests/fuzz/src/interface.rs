@@ -22,48 +22,165 @@ pub struct Interface {
     pub symbols: Vec<unsafe extern "C" fn(*mut Arguments) -> i32>,
 }
 
+/// Integers that Fortran hands over.
+type Integer = *const i32;
+/// Integers that it gets back.
+type Integers = *mut i32;
+/// Doubles that it hands over.
+type Real = *const f64;
+/// Doubles that it gets back.
+type Reals = *mut f64;
+/// Long integers that it hands over.
+type Long = *const i64;
+/// Long integers that it gets back.
+type Longs = *mut i64;
+/// `cte_f77_csr_map_` and `cte_f77_csr_blocks_`.
+type ScatterMap = unsafe extern "C" fn(
+    Integer,
+    Integer,
+    Integer,
+    Integer,
+    Integer,
+    Long,
+    Integer,
+    Longs,
+    Integers,
+);
+
 /// `cte_f77_*_`.
 #[derive(Clone, Copy)]
 #[allow(clippy::type_complexity)]
 pub struct Fortran {
+    /// `cte_f77_find_`.
+    pub find: unsafe extern "C" fn(Integer, Integer, Integers, Integers),
+    /// `cte_f77_info_`.
+    pub info: unsafe extern "C" fn(Integer, Integer, Integers, Integers),
+    /// `cte_f77_message_`.
+    pub message: unsafe extern "C" fn(Integer, Integer, Integer, Integers, Integer, Integers),
     /// `cte_f77_evaluate_`.
     pub evaluate: unsafe extern "C" fn(
-        *const i32,
-        *const i32,
-        *const i32,
-        *const i32,
-        *const f64,
-        *const f64,
-        *const f64,
-        *const i32,
-        *const f64,
-        *mut f64,
-        *const f64,
-        *mut f64,
-        *mut f64,
-        *const i32,
-        *mut f64,
-        *mut f64,
-        *mut i32,
-        *mut i32,
+        Integer,
+        Integer,
+        Integer,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Reals,
+        Real,
+        Integer,
+        Integer,
+        Real,
+        Real,
+        Reals,
+        Reals,
+        Integer,
+        Reals,
+        Reals,
+        Reals,
+        Integer,
+        Integers,
+        Integers,
     ),
-    /// `cte_f77_info_`.
-    pub info: unsafe extern "C" fn(*const i32, *const i32, *mut i32),
+    /// `cte_f77_project_`.
+    pub project: unsafe extern "C" fn(
+        Integer,
+        Integer,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Real,
+        Reals,
+        Reals,
+        Integers,
+        Integers,
+    ),
+    /// `cte_f77_patch_info_`.
+    pub patch_info: unsafe extern "C" fn(Integer, Integer, Real, Integers, Integers, Integers),
+    /// `cte_f77_patch_evaluate_`.
+    pub patch_evaluate: unsafe extern "C" fn(
+        Integer,
+        Integer,
+        Real,
+        Integer,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Reals,
+        Integer,
+        Integer,
+        Real,
+        Real,
+        Reals,
+        Reals,
+        Integer,
+        Reals,
+        Reals,
+        Reals,
+        Integer,
+        Integers,
+        Integers,
+    ),
+    /// `cte_f77_batch_`.
+    pub batch: unsafe extern "C" fn(
+        Integer,
+        Integer,
+        Integer,
+        Integer,
+        Integer,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Integer,
+        Real,
+        Integer,
+        Integer,
+        Real,
+        Reals,
+        Real,
+        Integer,
+        Real,
+        Real,
+        Reals,
+        Reals,
+        Reals,
+        Reals,
+        Long,
+        Reals,
+        Reals,
+        Integers,
+        Integers,
+        Reals,
+        Integer,
+        Integers,
+        Integers,
+    ),
+    /// `cte_f77_csr_map_`.
+    pub csr_map: ScatterMap,
+    /// `cte_f77_csr_blocks_`.
+    pub csr_blocks: ScatterMap,
     /// `cte_f77_history_init_`.
-    pub history_init: unsafe extern "C" fn(*const i32, *mut f64, *mut i32),
+    pub history_init: unsafe extern "C" fn(Integer, Reals, Integers),
     /// `cte_f77_history_transfer_`.
-    pub history_transfer: unsafe extern "C" fn(
-        *const i32,
-        *const f64,
-        *const f64,
-        *const i32,
-        *const f64,
-        *mut f64,
-        *mut i32,
-        *mut i32,
-    ),
+    pub history_transfer:
+        unsafe extern "C" fn(Integer, Real, Real, Integer, Real, Reals, Integers, Integers),
     /// `cte_f77_history_augment_`.
-    pub history_augment: unsafe extern "C" fn(*const i32, *const f64, *mut f64, *mut i32, *mut i32),
+    pub history_augment: unsafe extern "C" fn(Integer, Real, Reals, Integers, Integers),
 }
 
 impl Interface {
@@ -86,8 +203,16 @@ impl Interface {
                 api,
                 table,
                 fortran: Fortran {
-                    evaluate: *library.get("cte_f77_evaluate_").map_err(named)?,
+                    find: *library.get("cte_f77_find_").map_err(named)?,
                     info: *library.get("cte_f77_info_").map_err(named)?,
+                    message: *library.get("cte_f77_message_").map_err(named)?,
+                    evaluate: *library.get("cte_f77_evaluate_").map_err(named)?,
+                    project: *library.get("cte_f77_project_").map_err(named)?,
+                    patch_info: *library.get("cte_f77_patch_info_").map_err(named)?,
+                    patch_evaluate: *library.get("cte_f77_patch_evaluate_").map_err(named)?,
+                    batch: *library.get("cte_f77_batch_").map_err(named)?,
+                    csr_map: *library.get("cte_f77_csr_map_").map_err(named)?,
+                    csr_blocks: *library.get("cte_f77_csr_blocks_").map_err(named)?,
                     history_init: *library.get("cte_f77_history_init_").map_err(named)?,
                     history_transfer: *library.get("cte_f77_history_transfer_").map_err(named)?,
                     history_augment: *library.get("cte_f77_history_augment_").map_err(named)?,

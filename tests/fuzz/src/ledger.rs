@@ -8,7 +8,7 @@ use std::sync::atomic::Ordering::Relaxed;
 use rustix::mm::{MapFlags, ProtFlags, mmap};
 
 /// Functions of the interface; the last stands for the symbols of all elements.
-pub const FUNCTIONS: [&str; 31] = [
+pub const FUNCTIONS: [&str; 39] = [
     "cte_abi_version",
     "cte_api",
     "cte_element_count",
@@ -34,8 +34,16 @@ pub const FUNCTIONS: [&str; 31] = [
     "cte_status_message",
     "cte_argument_name",
     "cte_element_message",
-    "cte_f77_evaluate_",
+    "cte_f77_find_",
     "cte_f77_info_",
+    "cte_f77_message_",
+    "cte_f77_evaluate_",
+    "cte_f77_project_",
+    "cte_f77_patch_info_",
+    "cte_f77_patch_evaluate_",
+    "cte_f77_batch_",
+    "cte_f77_csr_map_",
+    "cte_f77_csr_blocks_",
     "cte_f77_history_init_",
     "cte_f77_history_transfer_",
     "cte_f77_history_augment_",

@@ -38,6 +38,7 @@ impl Edge {
 }
 
 /// Pages between guard pages, seen twice: by the harness and by the library. They stay until the process ends.
+#[derive(Debug)]
 pub struct Slot {
     host: *mut u8,
     read: *const u8,

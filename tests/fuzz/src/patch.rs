@@ -9,6 +9,7 @@ use crate::check::{INFO_IN_0_1, PATCH_IN_0_1, is_refused, is_usable};
 use crate::element::Element;
 use crate::entropy::Entropy;
 use crate::facets::{Facets, KINDS};
+use crate::fortran;
 use crate::harness::{Checked, Harness};
 use crate::ledger::function;
 use crate::memory::Edge;
@@ -220,6 +221,9 @@ fn evaluate(
             return Err(format!("not the same twice: {outcome:?}, then {again:?}"));
         }
     }
+    if entropy.chance(1, 3) {
+        compare(harness, &facets, &element, (&plan, entropy))?;
+    }
     if let Some(history) = outcome.history {
         plan.old = Some(history);
         let next = perform(harness, &facets, &element, &plan)?;
@@ -229,6 +233,26 @@ fn evaluate(
         }
     }
     Ok(())
+}
+
+/// The same call through Fortran's door and through C's.
+fn compare(
+    harness: &mut Harness,
+    facets: &Facets,
+    element: &Element,
+    (plan, entropy): (&Plan, &mut Entropy),
+) -> Checked {
+    let mut plan = plan.clone();
+    let ldk = fortran::restrict(&mut plan, element, entropy);
+    if !fortran::patch::can_describe(facets) {
+        return Ok(());
+    }
+    let by_fortran = fortran::patch::perform(harness, facets, element, (&plan, ldk))?;
+    let by_c = perform(harness, facets, element, &plan)?;
+    match by_fortran == by_c {
+        true => Ok(()),
+        false => Err(format!("Fortran: {by_fortran:?}; C: {by_c:?}")),
+    }
 }
 
 /// The patch as an element with all its nodes: sizes as the header gives them.

@@ -11,6 +11,7 @@ use crate::check::{untouched, written};
 use crate::element::info;
 use crate::entropy::Entropy;
 use crate::evaluate::{perform, plan};
+use crate::fortran::project::{self as by_name, Project};
 use crate::harness::{Checked, Harness};
 use crate::ledger::{count, function};
 use crate::memory::Output;
@@ -55,6 +56,7 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     }
     let no_result = entropy.chance(1, 50);
     let with_history = entropy.chance(2, 3);
+    let by_fortran = entropy.chance(1, 3);
     let workspace = info(&harness.interface, element.pointer, plan.state.nodes as i32)?.workspace;
     let (arguments, arrays) = place(harness, &element, &plan, workspace)?;
     // SAFETY: a struct without padding is bytes.
@@ -66,7 +68,10 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     let block = harness.slots.arguments.output(&bytes[..size], plan.edge);
     let results = vec![UNSET; element.points()];
     let results = harness.slots.result.output(&results, plan.edge);
-    harness.show("project", &(&plan, reach, no_result, with_history));
+    harness.show(
+        "project",
+        &(&plan, reach, no_result, with_history, by_fortran),
+    );
     let handle = match plan.null {
         Some(Array::Element) => null(),
         _ => element.pointer,
@@ -88,8 +93,21 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     let project = harness.interface.table.element_project;
     // SAFETY: what the header demands, or what it says is refused.
     let call = || unsafe { project(handle, pointer, reach, result, history) };
-    let (code, raised) = harness.noting(FUNCTION, mode(&element), call);
-    harness.ledger.code(FUNCTION, code);
+    let fortran = match by_fortran {
+        true => Project::new(harness, &plan, reach, element.points()),
+        false => None,
+    };
+    let (function, (code, raised)) = match fortran {
+        Some(fortran) => {
+            // SAFETY: as above.
+            let call = || unsafe { fortran.call(pointer, result, history) };
+            let outcome = harness.noting(by_name::FUNCTION, mode(&element), call);
+            fortran.check(outcome.0 < 0 && NUMBERS.code(outcome.0)? != "CTE_ERROR_ELEMENT")?;
+            (by_name::FUNCTION, outcome)
+        }
+        None => (FUNCTION, harness.noting(FUNCTION, mode(&element), call)),
+    };
+    harness.ledger.code(function, code);
     if raised.is_some() {
         count(&harness.ledger.exceptions);
     }

@@ -4,6 +4,7 @@ use std::ptr::{null, null_mut};
 
 use crate::element::{Element, info};
 use crate::entropy::Entropy;
+use crate::fortran::sparse::{self as fortran, Arrays};
 use crate::harness::{Checked, Harness};
 use crate::ledger::function;
 use crate::memory::Edge;
@@ -31,10 +32,17 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     }
     let edge = entropy.pick(&[Edge::End, Edge::Start]);
     let missing = entropy.below(48);
-    harness.show("sparse", &(&element.name, &pattern, missing));
+    let by_fortran = entropy.chance(1, 3) && missing != 4;
+    harness.show("sparse", &(&element.name, &pattern, missing, by_fortran));
     let mut codes = [0; 2];
     for (which, code) in codes.iter_mut().enumerate() {
-        *code = make(harness, (&element, &pattern), which, (count, missing, edge))?;
+        *code = make(
+            harness,
+            (&element, &pattern),
+            which,
+            (count, missing, edge),
+            by_fortran,
+        )?;
     }
     if missing < POINTERS {
         return match codes[0] == codes[1] {
@@ -51,6 +59,7 @@ fn make(
     (element, pattern): (&Element, &Pattern),
     which: usize,
     (count, missing, edge): (usize, usize, Edge),
+    by_fortran: bool,
 ) -> Result<i32, String> {
     let slots = &mut harness.slots;
     let or_null = |number, pointer| if missing == number { null() } else { pointer };
@@ -76,7 +85,17 @@ fn make(
     let (n, nslave, rows) = (pattern.n, pattern.nslave, pattern.rows);
     // SAFETY: what the header demands, or what it says is refused.
     let call = || unsafe { make(handle, n, nslave, connectivity, rows, start, column, to) };
-    let code = harness.call(MAPS[which], call);
+    let arrays = Arrays {
+        connectivity,
+        start,
+        column,
+        map: to,
+    };
+    let code = match by_fortran {
+        true => fortran::make(harness, (element, pattern), which, arrays, edge)?,
+        false => None,
+    };
+    let code = code.unwrap_or_else(|| harness.call(MAPS[which], call));
     harness.ledger.code(MAPS[which], code);
     NUMBERS.code(code)?;
     map.check_margins("map")?;

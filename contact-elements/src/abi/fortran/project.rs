@@ -53,7 +53,7 @@ pub unsafe fn project(
                 let history = addresses.history;
                 let code = element_project(element, &raw mut arguments, reach, found, history);
                 if code == code::SUCCESS {
-                    spread(to, (*element).points);
+                    spread(to, (&*element).points);
                 }
                 write(result, code);
                 report(state, state_of(&arguments));

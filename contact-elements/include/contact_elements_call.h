@@ -233,8 +233,8 @@ typedef struct cte_arguments {
  * history_accepted is the accepted history: that of the last converged step. history_trial is a proposal that no
  * evaluation reads. To accept a step the host copies history_trial over history_accepted, all of it. To cut a
  * step back it drops history_trial.
- * An all-zero history is a valid beginning for every element: nothing has been in contact. So is the history that
- * cte_element_history_init writes, whose projection starts from the centre of the domain.
+ * An all-zero history is a valid beginning for every element: nothing has been in contact, and the projection starts
+ * from the centre of the domain, as with the history that cte_element_history_init writes.
  * Rules of each kind: docs/interface/friction.md, edges.md, rolling.md, multipliers.md. */
 #define CTE_HISTORY_STATUS 0     /* CTE_STATUS_* as a number */
 #define CTE_HISTORY_PROJECTION 1 /* P entries, then the others in the order above */

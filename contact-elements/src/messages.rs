@@ -11,7 +11,7 @@ pub(crate) fn code_text(value: i32) -> &'static str {
         }
         code::NULL => "a required pointer is null\0",
         code::STRUCT_SIZE => {
-            "struct_size is smaller than this version's struct: set it to sizeof of the struct\0"
+            "struct_size is not that of this version's struct: begin with the initialiser, as CTE_ARGUMENTS_INIT\0"
         }
         code::NODE_COUNT => "the number of nodes does not fit the element: see cte_element_info\0",
         code::PARAMETER => {

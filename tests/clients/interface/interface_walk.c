@@ -176,6 +176,26 @@ static int evaluation_sound(void)
   return pass;
 }
 
+/* An all-zero history begins as the initial one does. */
+static int zeros_sound(void)
+{
+  int pass = 1;
+  for (int state = 0; state < STATES && pass; state++) {
+    randomise();
+    poison(&b);
+    const int32_t code = bench_evaluate(&b);
+    memcpy(&alone, &b, sizeof b);
+    memset(alone.history_accepted, 0, sizeof alone.history_accepted);
+    alone.a.history_accepted = alone.history_accepted;
+    alone.a.request = CTE_RESIDUAL;
+    alone.a.f = alone.out.f;
+    poison(&alone);
+    pass = bench_evaluate(&alone) == code && alone.a.status == b.a.status &&
+           (code != CTE_SUCCESS || client_same(alone.out.f, b.out.f, b.info.unknowns));
+  }
+  return pass;
+}
+
 /* Bits that the element does not offer are refused. */
 static int refusal_sound(void)
 {
@@ -211,6 +231,7 @@ void interface_walk(void)
     check(lookup_sound(index), "lookup by name");
     check(history_sound(), "initial history");
     check(evaluation_sound(), "residual alone, tangent alone, both");
+    check(zeros_sound(), "history of zeros");
     check(refusal_sound(), "bits not offered");
   }
 }

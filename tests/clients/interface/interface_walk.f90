@@ -220,6 +220,30 @@ contains
     end do
   end function evaluation_sound
 
+  ! An all-zero history begins as the initial one does.
+  function zeros_sound() result(pass)
+    logical :: pass
+    integer(i4) :: code
+    integer :: state, n
+    n = b%info%unknowns
+    pass = .true.
+    do state = 1, states
+      call randomise()
+      call poison(b)
+      code = bench_evaluate(b)
+      alone = b
+      alone%history_accepted = 0
+      alone%a%history_accepted = c_loc(alone%history_accepted)
+      alone%a%request = CTE_RESIDUAL
+      alone%a%f = c_loc(alone%out%f)
+      call poison(alone)
+      pass = bench_evaluate(alone) == code .and. pass
+      pass = pass .and. alone%a%status == b%a%status
+      if (pass .and. code == CTE_SUCCESS) pass = client_same(alone%out%f(:n), b%out%f(:n))
+      if (.not. pass) return
+    end do
+  end function zeros_sound
+
   ! Bits that the element does not offer are refused.
   function refusal_sound() result(pass)
     logical :: pass
@@ -256,6 +280,7 @@ contains
       call check(lookup_sound(i), 'lookup by name')
       call check(history_sound(), 'initial history')
       call check(evaluation_sound(), 'residual alone, tangent alone, both')
+      call check(zeros_sound(), 'history of zeros')
       call check(refusal_sound(), 'bits not offered')
     end do
   end subroutine interface_walk_run

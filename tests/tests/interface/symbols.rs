@@ -7,7 +7,7 @@ use std::process::Command;
 
 use contact_generator::emit::symbol_name;
 use contact_generator::expand::library_elements;
-use contact_generator::header::{fortran_include, short_name, symbols_header};
+use contact_generator::header::{fortran_include, numbers, short_name, symbols_header};
 use contact_tests::committed::assert_committed;
 use contact_tests::compiler::{self, REQUIRE_FORTRAN};
 use contact_tests::library::Library;
@@ -32,6 +32,76 @@ fn committed_files_are_what_the_generator_writes() {
         &include.join("contact_elements.inc"),
         &fortran_include("cte", &elements),
     );
+}
+
+/// The numbers of the C headers by name, sorted.
+fn numbers_of_the_headers() -> Vec<(String, i32)> {
+    let sections = numbers().into_iter().flat_map(|(_, list)| list);
+    let mut all: Vec<_> = sections
+        .map(|(name, value)| (name.to_string(), value))
+        .collect();
+    all.sort();
+    all
+}
+
+/// Codes, arguments and request bits of the library are those that the headers define.
+#[test]
+fn numbers_of_the_library_are_those_of_the_headers() {
+    let text = std::fs::read_to_string(workspace("contact-elements/src/codes.rs")).expect("codes");
+    let (mut module, mut found) = ("", Vec::new());
+    for line in text.lines().map(str::trim) {
+        if let Some(name) = line.strip_prefix("pub mod ") {
+            module = name.trim_end_matches(" {");
+        }
+        let constant = line
+            .strip_prefix("pub const ")
+            .and_then(|rest| rest.split_once(':'));
+        let Some((name, rest)) = constant else {
+            continue;
+        };
+        let (_, value) = rest
+            .trim_end_matches(';')
+            .split_once("= ")
+            .expect("a value");
+        let name = match (module, name) {
+            ("code", "SUCCESS" | "CUT_BACK") | ("request", _) => name.to_string(),
+            ("code", _) => format!("ERROR_{name}"),
+            ("argument", _) => format!("ARGUMENT_{name}"),
+            _ => continue,
+        };
+        found.push((name, value.parse::<i32>().expect("a number")));
+    }
+    let headers = numbers_of_the_headers();
+    assert!(found.len() > 60, "{found:?}");
+    for number in &found {
+        assert!(headers.contains(number), "{number:?} is not in the headers");
+    }
+    let is_known = |(name, _): &&(String, i32)| {
+        name.starts_with("ERROR_") || name.starts_with("ARGUMENT_") || *name == "CSR_BY_BLOCKS"
+    };
+    for number in headers.iter().filter(is_known) {
+        assert!(found.contains(number), "{number:?} is not in the library");
+    }
+}
+
+/// The Fortran module has the numbers of the headers, without those that only Fortran 77 needs.
+#[test]
+fn numbers_of_the_module_are_those_of_the_headers() {
+    let module = workspace("contact-elements/include/contact_elements.f90");
+    let text = std::fs::read_to_string(module).expect("the module");
+    let lists = text.lines().filter_map(|line| {
+        let (_, list) = line.split_once("integer(i4), parameter :: ")?;
+        Some(list)
+    });
+    let constants = lists.flat_map(|list| list.split(", ")).filter_map(|one| {
+        let (name, value) = one.split_once(" = ")?;
+        Some((name.strip_prefix("CTE_")?.to_string(), value.parse().ok()?))
+    });
+    let mut found: Vec<(String, i32)> = constants.collect();
+    found.sort();
+    let mut expected = numbers_of_the_headers();
+    expected.retain(|(name, _)| !name.starts_with("F77_"));
+    assert_eq!(found, expected);
 }
 
 #[test]

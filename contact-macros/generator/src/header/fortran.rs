@@ -101,7 +101,7 @@ fn comment<'a>(text: &mut String, title: &str, words: impl Iterator<Item = &'a s
 }
 
 /// The numbers that the headers define, section by section: `#define CTE_NAME 12`, without `CTE_`.
-fn numbers() -> Vec<(&'static str, Vec<(&'static str, i32)>)> {
+pub fn numbers() -> Vec<(&'static str, Vec<(&'static str, i32)>)> {
     let mut sections = Vec::new();
     for (_, header) in C_HEADERS {
         for section in

@@ -9,7 +9,7 @@ use crate::expand::parse;
 use crate::model::Model;
 
 pub use c::{C_HEADERS, header, symbols_header};
-pub use fortran::{fortran_include, short_name};
+pub use fortran::{fortran_include, numbers, short_name};
 
 /// The error of a build script that writes a header.
 #[derive(Debug)]

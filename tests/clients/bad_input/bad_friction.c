@@ -319,8 +319,10 @@ static void transfer_planes(void)
     new_tangents[k] *= 1e-29;
   for (int k = 0; k < 6; k++)
     tangents[k] = k == 1 || k == 3 ? 1e29 : 0.0;
-  b.out.history_trial[ANCHOR] = -1e29;
+  b.out.history_trial[ANCHOR] = -900.0;
   client_check(refused(CTE_CUT_BACK, CTE_ARGUMENT_TO_OUTPUT), "transfer: an anchor beyond 1e30");
+  b.out.history_trial[ANCHOR] = -1e29;
+  client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_FROM_HISTORY), "transfer: from an anchor far outside");
 }
 
 void bad_friction(void)

@@ -357,8 +357,10 @@ contains
     call sound(facet, facet)
     next%out%output(tangents:tangents + 5) = 1e-29_dp*next%out%output(tangents:tangents + 5)
     b%out%output(tangents:tangents + 5) = [real(dp) :: 0, 1e29_dp, 0, 1e29_dp, 0, 0]
-    b%out%history_trial(anchor_at) = -1e29_dp
+    b%out%history_trial(anchor_at) = -900
     call client_check(refused(CTE_CUT_BACK, CTE_ARGUMENT_TO_OUTPUT), 'transfer: an anchor beyond 1e30')
+    b%out%history_trial(anchor_at) = -1e29_dp
+    call client_check(refused(CTE_ERROR_HISTORY, CTE_ARGUMENT_FROM_HISTORY), 'transfer: from an anchor far outside')
   end subroutine transfer_planes
 
   subroutine bad_friction_run()

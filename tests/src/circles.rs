@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use quote::ToTokens;
-use syn::{Item, UseTree, Visibility};
+use syn::{Item, ItemMod, ItemUse, UseTree, Visibility};
 
 use crate::paths::paths_in;
 
@@ -27,6 +27,29 @@ struct Module {
     globs: Vec<Names>,
     /// Paths that the code follows.
     paths: Vec<Names>,
+}
+
+impl Module {
+    /// Takes up the names of a `use`; those passed on by `pub use` go to `reexports`.
+    fn import(&mut self, item: &ItemUse, reexports: &mut Vec<(String, Names)>) {
+        let mut leaves = vec![];
+        leaves_of(&item.tree, &[], &mut leaves);
+        let is_public = !matches!(item.vis, Visibility::Inherited);
+        for (name, path) in leaves {
+            match name.as_str() {
+                "*" if is_public => self.globs.push(path),
+                "*" => {
+                    self.globs.push(path.clone());
+                    self.paths.push(path);
+                }
+                _ if is_public => reexports.push((name, path)),
+                _ => {
+                    self.imports.insert(name, path.clone());
+                    self.paths.push(path);
+                }
+            }
+        }
+    }
 }
 
 /// The modules of a crate.
@@ -77,44 +100,11 @@ impl Crate {
         let (mut code, mut reexports) = (vec![], vec![]);
         for item in items {
             match item {
-                Item::Use(item) => {
-                    let mut leaves = vec![];
-                    leaves_of(&item.tree, &[], &mut leaves);
-                    let is_public = !matches!(item.vis, Visibility::Inherited);
-                    for (name, path) in leaves {
-                        match name.as_str() {
-                            "*" if is_public => module.globs.push(path),
-                            "*" => {
-                                module.globs.push(path.clone());
-                                module.paths.push(path);
-                            }
-                            _ if is_public => reexports.push((name, path)),
-                            _ => {
-                                module.imports.insert(name, path.clone());
-                                module.paths.push(path);
-                            }
-                        }
-                    }
-                }
+                Item::Use(item) => module.import(&item, &mut reexports),
                 Item::Mod(item) if is_test(&item.attrs) => {}
                 Item::Mod(item) => {
-                    let name = item.ident.to_string();
-                    module.children.insert(name.clone());
-                    let mut child = names.clone();
-                    child.push(name.clone());
-                    let folder = folder.join(&name);
-                    match item.content {
-                        Some((_, items)) => self.add(child, file, items, &folder)?,
-                        None => {
-                            let own = folder.with_extension("rs");
-                            let path = if own.exists() {
-                                own
-                            } else {
-                                folder.join("mod.rs")
-                            };
-                            self.read_file(child, &path, &folder)?;
-                        }
-                    }
+                    module.children.insert(item.ident.to_string());
+                    self.add_child(&names, file, item, folder)?;
                 }
                 other => {
                     module.items.extend(name_of(&other));
@@ -135,6 +125,29 @@ impl Crate {
         }
         self.modules.insert(names, module);
         Ok(())
+    }
+
+    /// Adds the module that an item of the module `names` declares, from the same file or from its own.
+    fn add_child(
+        &mut self,
+        names: &[String],
+        file: usize,
+        item: ItemMod,
+        folder: &Path,
+    ) -> Result<(), String> {
+        let name = item.ident.to_string();
+        let child = [names, &[name.clone()]].concat();
+        let folder = folder.join(&name);
+        let Some((_, items)) = item.content else {
+            let own = folder.with_extension("rs");
+            let path = if own.exists() {
+                own
+            } else {
+                folder.join("mod.rs")
+            };
+            return self.read_file(child, &path, &folder);
+        };
+        self.add(child, file, items, &folder)
     }
 
     /// The file that defines what a path in the module `from` leads to; `None` outside the crate.

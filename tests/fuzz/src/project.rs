@@ -43,17 +43,8 @@ const UNSET: Projection = Projection {
 
 /// A projection; the history that it writes is one that an evaluation takes.
 pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
-    let mut plan = plan(harness, entropy)?;
+    let (plan, reach) = drawn(harness, entropy)?;
     let element = harness.elements[plan.element].clone();
-    plan.aliased = false;
-    let mut reach = entropy.pick(&[0.0, 0.0, 0.1, 1.0, 100.0]);
-    for _ in 0..entropy.pick(&[0, 0, 1, 1, 2, 4]) {
-        match entropy.below(4) {
-            0 => reach = entropy.strange(reach),
-            1 => plan.change(&element, entropy),
-            _ => plan.state.change(&element, entropy),
-        }
-    }
     let no_result = entropy.chance(1, 50);
     let with_history = entropy.chance(2, 3);
     let by_fortran = entropy.chance(1, 3);
@@ -124,6 +115,22 @@ pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
         _ if stays => untouched("history", &arrays.new),
         _ => arrays.new.check_margins("history"),
     }
+}
+
+/// A plan and a reach, with some changes.
+fn drawn(harness: &mut Harness, entropy: &mut Entropy) -> Result<(Plan, f64), String> {
+    let mut plan = plan(harness, entropy)?;
+    let element = harness.elements[plan.element].clone();
+    plan.aliased = false;
+    let mut reach = entropy.pick(&[0.0, 0.0, 0.1, 1.0, 100.0]);
+    for _ in 0..entropy.pick(&[0, 0, 1, 1, 2, 4]) {
+        match entropy.below(4) {
+            0 => reach = entropy.strange(reach),
+            1 => plan.change(&element, entropy),
+            _ => plan.state.change(&element, entropy),
+        }
+    }
+    Ok((plan, reach))
 }
 
 /// The history is whole, and an evaluation begins with it.

@@ -1,7 +1,7 @@
 //! What the compiler says of a declaration. `ui/fail` holds a file per class of mistake with the messages beside it;
 //! `ui/pass` holds every line of the grammar page, and the compiler says nothing.
 //!
-//! `CONTACT_BLESS=1` writes the messages anew; read the difference.
+//! `CONTACT_BLESS=1` rewrites the messages; read the difference.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

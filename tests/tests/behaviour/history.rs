@@ -1,6 +1,6 @@
 //! The accepted history: what is kept, what begins, what is forced.
 
-use contact_elements::abi::fortran;
+use contact_elements::abi::{Arguments, element_evaluate};
 use contact_elements::{Evaluation, Status, code, evaluate, request};
 
 use crate::pair::Pair;
@@ -49,7 +49,7 @@ fn a_trial_changes_nothing_that_is_accepted() {
 }
 
 /// One array for the old and the new history gives the same bits as two. Two slices of safe Rust cannot be
-/// one, so the array goes through the Fortran door.
+/// one, so the array goes through the C door.
 #[test]
 fn one_array_may_hold_both_histories() {
     let mut pair = facet();
@@ -57,24 +57,19 @@ fn one_array_may_hold_both_histories() {
     let x = at(0.3, 0.1, -0.05);
     let expected = pair.at(&x);
     let (mut history, mut residual) = (pair.history.clone(), vec![0.0; x.len()]);
-    let bits = (request::RESIDUAL | request::HISTORY) as i32;
-    let (count, mut status, mut result) = (pair.parameters.len() as i32, -1, -1);
-    let nothing = std::ptr::null_mut::<f64>();
     let both = history.as_mut_ptr();
+    let mut arguments = Arguments {
+        request: request::RESIDUAL | request::HISTORY,
+        x: x.as_ptr(),
+        parameters: pair.parameters.as_ptr(),
+        parameter_count: pair.parameters.len() as i32,
+        history_accepted: both,
+        history_trial: both,
+        f: residual.as_mut_ptr(),
+        ..Arguments::EMPTY
+    };
     // SAFETY: every array has the length that the header gives.
-    unsafe {
-        fortran::evaluate(
-            &[pair.element],
-            (&0, &bits, &5, &0),
-            (x.as_ptr(), nothing),
-            (pair.parameters.as_ptr(), &count),
-            (both, both),
-            nothing,
-            (residual.as_mut_ptr(), nothing, &15),
-            (nothing, nothing),
-            (&raw mut status, &raw mut result),
-        );
-    }
+    let result = unsafe { element_evaluate(pair.element, &mut arguments) };
     assert_eq!(result, code::SUCCESS);
     assert_eq!(residual, expected.residual);
     assert_eq!(history, expected.history);

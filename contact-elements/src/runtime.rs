@@ -11,12 +11,12 @@ pub use crate::batch::block::ROOM;
 pub use crate::batch::contacts::{AllPlaces, Contacts, Places};
 pub use crate::batch::dispatch::{evaluate_batch, one_by_one};
 pub use crate::batch::screen::{SCREENED, is_screened, screen};
-pub use crate::element::contraction::contract;
+pub use crate::element::contraction::{NormalContraction, contract};
 pub use crate::element::driver::evaluate;
 pub use crate::element::gather::{Coordinates, Nodes};
 pub use crate::element::kernel::{fixed, interpolated, workspace};
 pub use crate::element::receiver::{
-    Call, Failure, InputError, OUTPUT_SIZE, Receiver, Report, Summary, Wanted,
+    Call, Failure, InputError, OUTPUT_SIZE, Receiver, Report, Summary, Wanted, Write,
 };
 pub use crate::element::stage::{Stage, TangentialRows, Temporaries};
 pub use crate::element::tangential_contraction::{Shares, contract_sliding};

@@ -4,7 +4,7 @@
 
 use core::cell::Cell;
 
-use contact_elements::runtime::{Call, Coordinates, Nodes, Receiver, Report, Wanted, fixed};
+use contact_elements::runtime::{Call, Coordinates, Nodes, Receiver, Report, Wanted, Write, fixed};
 use contact_library::{Line2Line2Beams, PointQuad4};
 
 /// Dense R and K, row-major.
@@ -20,16 +20,19 @@ impl<const U: usize> Receiver for Dense<'_, U> {
     }
 
     #[inline(always)]
-    fn force(&mut self, (node, component): (usize, usize), value: f64, first: bool) {
+    fn force(&mut self, (node, component): (usize, usize), value: f64, write: Write) {
         if let Some(entry) = self.residual.get_mut(3 * node + component) {
-            *entry = if first { value } else { *entry + value };
+            *entry = match write {
+                Write::Replace => value,
+                Write::Add => *entry + value,
+            };
         }
     }
 
     #[inline(always)]
-    fn row(&mut self, unknown: usize, row: &[f64], first: bool) {
+    fn row(&mut self, unknown: usize, row: &[f64], write: Write) {
         if let (Some(to), Some(row)) = (self.tangent.get_mut(unknown), row.first_chunk::<U>()) {
-            if first {
+            if write == Write::Replace {
                 *to = *row;
             } else {
                 for (to, from) in to.iter_mut().zip(row) {

@@ -4,7 +4,7 @@
 
 use crate::batch::block::{MOST_UNKNOWNS, Points, ROOM, Records, VECTORS};
 use crate::batch::contacts::Contacts;
-use crate::element::receiver::{Receiver, Report};
+use crate::element::receiver::{Receiver, Report, Write};
 use crate::element::rows::{self, Factors, NodeShare};
 use crate::lanes::{Quad, Wide};
 use crate::point::enforcement::remembered;
@@ -142,11 +142,11 @@ fn tangent<R: Receiver, T: Wide, const D: usize, const P: usize, const N: usize>
     let nodes = nodes
         .iter()
         .map(|own| (own[0], core::array::from_fn(|j| own[1 + j])));
-    let is_done = rows::write::<T, D, P>(nodes, &n, &factors, to, true);
+    let is_done = rows::write::<T, D, P>(nodes, &n, &factors, to, Write::Replace);
     debug_assert!(is_done);
     if !is_written {
         for (unknown, row) in matrix.chunks_exact(N * D).enumerate() {
-            receiver.row(unknown, row, true);
+            receiver.row(unknown, row, Write::Replace);
         }
     }
 }

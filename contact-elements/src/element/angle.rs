@@ -9,7 +9,8 @@
 //! A point whose weight is zero is open, whatever its projection found. The functions are calls, not inlined, and an
 //! element that acts at any angle makes no such call.
 
-use crate::element::receiver::{Call, Receiver};
+use crate::element::pass::{Contact, Pass};
+use crate::element::receiver::{Call, Receiver, Write};
 use crate::element::stage::Stage;
 use crate::element::traits::Element;
 use crate::point::blend::{AngleForm, Blend, FormRows};
@@ -74,7 +75,8 @@ pub(crate) fn without_projection<
     call: &Call<'_>,
     stage: &mut Stage<'_, D, P, H>,
     number: usize,
-    (start, status): ([f64; P], Status),
+    start: [f64; P],
+    status: Status,
 ) -> Result<Point<D, P, H>, Status> {
     if !matches!(status, Status::NotUnique | Status::NotConverged) {
         return Err(status);
@@ -120,83 +122,69 @@ pub(crate) fn weigh<const D: usize, const P: usize, const H: usize>(
     };
 }
 
-/// Adds W w' δq. [eq:angle-residual]
-#[inline(never)]
-pub(crate) fn residual<
-    E: Element<D, P, H>,
-    R: Receiver,
-    const D: usize,
-    const P: usize,
-    const H: usize,
->(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    point: &Point<D, P, H>,
-    (number, weight): (usize, f64),
-    receiver: &mut R,
-) {
-    if !point.blend.changes() {
-        return;
-    }
-    let tangents = E::curve_tangents(number, stage.x, &point.vectors, call.parameters);
-    let form = E::angle_force(&tangents, &point.vectors, &point.gap, &point.blend);
-    if P == 1 {
-        E::slave_direction(number, call.parameters, stage.tangential.slave);
-    }
-    let rows = rows(stage);
-    for a in 0..stage.rows.s.len() {
-        for k in 0..D {
-            let value = weight * rows.entry(&form, (a, k));
-            receiver.force((a, k), value, false);
+impl<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>
+    Pass<'_, '_, E, R, D, P, H>
+{
+    /// Adds W w' δq. [eq:angle-residual]
+    #[inline(never)]
+    pub(crate) fn angle_residual(&mut self, contact: &Contact<'_, D, P, H>) {
+        let (number, point, parameters) = (contact.number, contact.point, self.call.parameters);
+        if !point.blend.changes() {
+            return;
+        }
+        let (stage, receiver) = (&mut *self.stage, &mut *self.receiver);
+        let weight = contact.weight;
+        let tangents = E::curve_tangents(number, stage.x, &point.vectors, parameters);
+        let form = E::angle_force(&tangents, &point.vectors, &point.gap, &point.blend);
+        if P == 1 {
+            E::slave_direction(number, parameters, stage.tangential.slave);
+        }
+        let rows = rows(stage);
+        for a in 0..stage.rows.s.len() {
+            for k in 0..D {
+                let value = weight * rows.entry(&form, (a, k));
+                receiver.force((a, k), value, Write::Add);
+            }
         }
     }
-}
 
-/// Adds w' N (δg Δq + δq Δg) + W w'' δq Δq + W w' D²q. [eq:angle-tangent]
-#[inline(never)]
-pub(crate) fn tangent<
-    E: Element<D, P, H>,
-    R: Receiver,
-    const D: usize,
-    const P: usize,
-    const H: usize,
->(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    point: &Point<D, P, H>,
-    (number, weight): (usize, f64),
-    receiver: &mut R,
-) {
-    if !point.blend.changes() {
-        return;
-    }
-    let second = &mut stage.tangential.second;
-    let third = E::higher(stage.x, &point.zeta, call.parameters, second);
-    if P == 1 {
-        E::slave_direction(number, call.parameters, stage.tangential.slave);
-    }
-    let tangents = E::curve_tangents(number, stage.x, &point.vectors, call.parameters);
-    let coefficients =
-        E::angle_tangent(&tangents, &point.vectors, &point.gap, &third, &point.blend);
-    let unknowns = stage.rows.s.len() * D;
-    let row = core::mem::take(&mut stage.temporaries.row);
-    let rows = rows(stage);
-    for unknown in 0..unknowns {
-        let at = (unknown / D, unknown % D);
-        let mut whole = AngleForm::default();
-        for [left, right] in &coefficients.0 {
-            whole.add(weight * rows.entry(left, at), right);
-            whole.add(weight * rows.entry(right, at), left);
+    /// Adds w' N (δg Δq + δq Δg) + W w'' δq Δq + W w' D²q. [eq:angle-tangent]
+    #[inline(never)]
+    pub(crate) fn angle_tangent(&mut self, contact: &Contact<'_, D, P, H>) {
+        let (number, point, parameters) = (contact.number, contact.point, self.call.parameters);
+        if !point.blend.changes() {
+            return;
         }
-        let Some(row) = row.get_mut(..unknowns) else {
-            continue;
-        };
-        for (other, entry) in row.iter_mut().enumerate() {
-            *entry = rows.entry(&whole, (other / D, other % D));
+        let (stage, receiver) = (&mut *self.stage, &mut *self.receiver);
+        let weight = contact.weight;
+        let second = &mut stage.tangential.second;
+        let third = E::higher(stage.x, &point.zeta, parameters, second);
+        if P == 1 {
+            E::slave_direction(number, parameters, stage.tangential.slave);
         }
-        receiver.row(unknown, row, false);
+        let tangents = E::curve_tangents(number, stage.x, &point.vectors, parameters);
+        let coefficients =
+            E::angle_tangent(&tangents, &point.vectors, &point.gap, &third, &point.blend);
+        let unknowns = stage.rows.s.len() * D;
+        let row = core::mem::take(&mut stage.temporaries.row);
+        let rows = rows(stage);
+        for unknown in 0..unknowns {
+            let at = (unknown / D, unknown % D);
+            let mut whole = AngleForm::default();
+            for [left, right] in &coefficients.0 {
+                whole.add(weight * rows.entry(left, at), right);
+                whole.add(weight * rows.entry(right, at), left);
+            }
+            let Some(row) = row.get_mut(..unknowns) else {
+                continue;
+            };
+            for (other, entry) in row.iter_mut().enumerate() {
+                *entry = rows.entry(&whole, (other / D, other % D));
+            }
+            receiver.row(unknown, row, Write::Add);
+        }
+        stage.temporaries.row = row;
     }
-    stage.temporaries.row = row;
 }
 
 /// The rows of a form: of two projected curves, or of an integration point of the slave and the projected master.

@@ -8,7 +8,7 @@
 //!
 //! Nodes are loops; for every entry of a row of K two multiply-adds remain.
 
-use crate::element::receiver::Receiver;
+use crate::element::receiver::{Receiver, Write};
 use crate::element::rows::Contraction;
 use crate::element::stage::Temporaries;
 use crate::lanes::Lanes;
@@ -17,98 +17,133 @@ use crate::point::values::Coefficients;
 /// Fewest unknowns for which rows are written several at a time, if the receiver allows it.
 const FEWEST: usize = 8;
 
+/// What a contraction is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct NormalContraction<'a, const D: usize, const P: usize> {
+    /// Rows s_A of the nodes.
+    pub s: &'a [f64],
+    /// Rows s_A,j of the nodes.
+    pub ds: [&'a [f64]; P],
+    /// Normal.
+    pub n: &'a [f64; D],
+    /// Already multiplied by the point's weight.
+    pub coefficients: &'a Coefficients<D, P>,
+    /// w N ∂J/∂x_B per unknown, where the measure moves; empty otherwise.
+    pub measure: &'a [f64],
+    /// False where all s_A,j vanish (rigid masters).
+    pub moving: bool,
+    /// How the rows reach the outputs.
+    pub write: Write,
+}
+
 /// Writes K row by row to the receiver.
-///
-/// * `s`, `ds` – rows s_A and s_A,j of the nodes.
-/// * `n` – normal. * `coefficients` – already multiplied by the point's weight.
-/// * `measure` – w N ∂J/∂x_B, where the measure moves, per unknown; empty otherwise.
-/// * `moving` – false where all s_A,j vanish (rigid masters).
-/// * `first` – true where the rows replace what the receiver holds.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
 pub fn contract<R: Receiver, const D: usize, const P: usize>(
-    s: &[f64],
-    ds: [&[f64]; P],
-    n: &[f64; D],
-    coefficients: &Coefficients<D, P>,
-    measure: &[f64],
-    moving: bool,
-    first: bool,
+    contraction: &NormalContraction<'_, D, P>,
     temporaries: &mut Temporaries<'_, D, P>,
     receiver: &mut R,
 ) {
     // taken out: an index that runs over fields of the scratch would keep all of it, nodes included, in memory
     let mut u = temporaries.u.each_mut().map(|row| &mut **row);
     let mut g = temporaries.g.each_mut().map(|row| &mut **row);
-    let (h, row) = (&mut *temporaries.h, &mut *temporaries.row);
-    let unknowns = s.len() * D;
-    if unknowns >= FEWEST
+    if contraction.s.len() * D >= FEWEST
         && let Some(to) = receiver.rows()
+        && contraction.write_wide(&mut u, &mut g, to)
     {
-        let is_written = if moving {
+        return;
+    }
+    let (h, row) = (&mut *temporaries.h, &mut *temporaries.row);
+    contraction.fill(&mut u, &mut g, row.len());
+    contraction.write_rows(&u, &g, h, row, receiver);
+}
+
+impl<const D: usize, const P: usize> NormalContraction<'_, D, P> {
+    /// All rows at once into `to`, where the processor has the lanes for it; false where nothing was written.
+    #[inline(always)]
+    fn write_wide(
+        &self,
+        u: &mut [&mut [f64]; D],
+        g: &mut [&mut [f64]; P],
+        to: (&mut [f64], usize),
+    ) -> bool {
+        let u = u.each_mut().map(|row| &mut **row);
+        let c = self.coefficients;
+        if self.moving {
             let contraction = Contraction {
-                s,
-                ds,
-                n,
-                p: &coefficients.p,
-                right: coefficients.right.each_ref(),
-                left: coefficients.left.each_ref(),
-                turn: coefficients.s,
-                measure,
+                s: self.s,
+                ds: self.ds,
+                n: self.n,
+                p: &c.p,
+                right: c.right.each_ref(),
+                left: c.left.each_ref(),
+                turn: c.s,
+                measure: self.measure,
             };
-            let scratch = (
-                u.each_mut().map(|row| &mut **row),
-                g.each_mut().map(|row| &mut **row),
-            );
-            contraction.write_wide(scratch, to, first)
-        } else {
-            let contraction = Contraction {
-                s,
-                ds: [],
-                n,
-                p: &coefficients.p,
-                right: [],
-                left: [],
-                turn: [],
-                measure,
-            };
-            contraction.write_wide((u.each_mut().map(|row| &mut **row), []), to, first)
+            let scratch = (u, g.each_mut().map(|row| &mut **row));
+            return contraction.write_wide(scratch, to, self.write);
+        }
+        let contraction = Contraction {
+            s: self.s,
+            ds: [],
+            n: self.n,
+            p: &c.p,
+            right: [],
+            left: [],
+            turn: [],
+            measure: self.measure,
         };
-        if is_written {
-            return;
-        }
+        contraction.write_wide((u, []), to, self.write)
     }
-    let width = row.len();
-    for k in 0..D {
-        let factors = core::array::from_fn(|j| coefficients.right[j][k]);
-        let turn = moving.then_some(&factors);
-        factor(u[k], width, s, ds, &coefficients.p[k], n, turn);
-        for (u, &m) in u[k].iter_mut().zip(measure) {
-            *u += n[k] * m;
-        }
-    }
-    if moving {
-        for j in 0..P {
-            let turn = Some(&coefficients.s[j]);
-            factor(g[j], width, s, ds, &coefficients.left[j], n, turn);
-        }
-    }
-    for (a, &s_a) in s.iter().enumerate() {
-        if moving {
-            combine(h, &g, ds, a);
-        }
+
+    /// u_k and g_j for the first `width` unknowns.
+    #[inline(always)]
+    fn fill(&self, u: &mut [&mut [f64]; D], g: &mut [&mut [f64]; P], width: usize) {
+        let (n, c) = (self.n, self.coefficients);
         for k in 0..D {
-            if moving {
-                let pairs = u[k].iter().zip(h.iter());
-                for (row, (&u, &h)) in row.iter_mut().zip(pairs) {
-                    *row = s_a * u + n[k] * h;
-                }
-            } else {
-                for (row, &u) in row.iter_mut().zip(u[k].iter()) {
-                    *row = s_a * u;
-                }
+            let factors = core::array::from_fn(|j| c.right[j][k]);
+            let turn = self.moving.then_some(&factors);
+            factor(u[k], width, self.s, self.ds, &c.p[k], n, turn);
+            for (u, &m) in u[k].iter_mut().zip(self.measure) {
+                *u += n[k] * m;
             }
-            receiver.row(a * D + k, row.get(..unknowns).unwrap_or(&[]), first);
+        }
+        if self.moving {
+            for j in 0..P {
+                let turn = Some(&c.s[j]);
+                factor(g[j], width, self.s, self.ds, &c.left[j], n, turn);
+            }
+        }
+    }
+
+    /// K(A,k) = s_A u_k + n_k s_A,j g_j, row by row.
+    #[inline(always)]
+    fn write_rows<R: Receiver>(
+        &self,
+        u: &[&mut [f64]; D],
+        g: &[&mut [f64]; P],
+        h: &mut [f64],
+        row: &mut [f64],
+        receiver: &mut R,
+    ) {
+        let unknowns = self.s.len() * D;
+        for (a, &s_a) in self.s.iter().enumerate() {
+            if self.moving {
+                combine(h, g, self.ds, a);
+            }
+            for k in 0..D {
+                if self.moving {
+                    let pairs = u[k].iter().zip(h.iter());
+                    for (row, (&u, &h)) in row.iter_mut().zip(pairs) {
+                        *row = s_a * u + self.n[k] * h;
+                    }
+                } else {
+                    for (row, &u) in row.iter_mut().zip(u[k].iter()) {
+                        *row = s_a * u;
+                    }
+                }
+                let row = row.get(..unknowns).unwrap_or(&[]);
+                receiver.row(a * D + k, row, self.write);
+            }
         }
     }
 }

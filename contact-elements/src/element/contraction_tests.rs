@@ -1,6 +1,9 @@
 //! Rows of K against the sum that they stand for [eq:contraction], one by one and several at a time.
 
-use crate::runtime::{Coefficients, Receiver, Report, Temporaries, contract};
+use crate::element::contraction::{NormalContraction, contract};
+use crate::element::receiver::{Receiver, Report, Write};
+use crate::element::stage::Temporaries;
+use crate::point::values::Coefficients;
 
 const MOST: usize = 40;
 
@@ -14,15 +17,18 @@ struct Matrix {
 
 impl Receiver for Matrix {
     fn open(&mut self, _: usize) {}
-    fn force(&mut self, _: (usize, usize), _: f64, _: bool) {}
+    fn force(&mut self, _: (usize, usize), _: f64, _: Write) {}
     fn rows(&mut self) -> Option<(&mut [f64], usize)> {
         self.is_open
             .then_some((self.entries.as_mut_slice(), self.apart))
     }
-    fn row(&mut self, unknown: usize, row: &[f64], first: bool) {
+    fn row(&mut self, unknown: usize, row: &[f64], write: Write) {
         let to = &mut self.entries[unknown * self.apart..][..row.len()];
         for (to, &value) in to.iter_mut().zip(row) {
-            *to = if first { value } else { *to + value };
+            *to = match write {
+                Write::Replace => value,
+                Write::Add => *to + value,
+            };
         }
     }
     fn multiplier(&mut self, _: (usize, usize), _: f64) {}
@@ -90,15 +96,17 @@ impl<const D: usize, const P: usize> Case<D, P> {
             entries: vec![0.25; (unknowns + more).pow(2)],
             is_open,
         };
-        for first in [true, false] {
+        for write in [Write::Replace, Write::Add] {
             contract(
-                &self.s,
-                core::array::from_fn(|j| &*self.ds[j]),
-                &self.n,
-                &self.coefficients,
-                &self.measure,
-                self.moving,
-                first,
+                &NormalContraction {
+                    s: &self.s,
+                    ds: core::array::from_fn(|j| &*self.ds[j]),
+                    n: &self.n,
+                    coefficients: &self.coefficients,
+                    measure: &self.measure,
+                    moving: self.moving,
+                    write,
+                },
                 &mut Temporaries {
                     u: u.each_mut().map(Vec::as_mut_slice),
                     g: g.each_mut().map(Vec::as_mut_slice),

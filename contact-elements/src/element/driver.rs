@@ -3,14 +3,10 @@
 //! The first pass touches no output, so a failure leaves everything as it was. Open points return before
 //! anything that only closed contact needs.
 
-use crate::element::angle;
-use crate::element::classify::classify;
-use crate::element::contraction::contract;
-use crate::element::multiplier;
-use crate::element::receiver::{Call, Failure, Receiver, Report, Summary};
-use crate::element::rolling;
-use crate::element::sliding;
-use crate::element::stage::{Stage, load_slave, placement, scale_variation};
+use crate::element::contraction::{NormalContraction, contract};
+use crate::element::pass::{Contact, Pass};
+use crate::element::receiver::{Call, Failure, Receiver, Report, Summary, Write};
+use crate::element::stage::{Stage, scale_variation};
 use crate::element::traits::Element;
 use crate::point::enforcement::remembered;
 use crate::point::friction::TangentialLaw;
@@ -32,281 +28,249 @@ pub fn evaluate<
     stage: &mut Stage<'_, D, P, H>,
     receiver: &mut R,
 ) -> Result<Summary, Failure> {
+    let mut pass = Pass::<E, R, D, P, H>::new(call, stage, receiver);
     if Q == 1 {
-        return evaluate_one::<E, R, D, P, H>(call, stage, receiver);
+        pass.evaluate_one()
+    } else {
+        pass.evaluate_all::<Q>()
     }
-    let mut points = [None; Q];
-    let mut slidings = [Sliding::default(); Q];
-    for (number, (slot, sliding)) in points.iter_mut().zip(&mut slidings).enumerate() {
-        match classify::<E, D, P, H>(call, stage, number, sliding) {
-            Ok(point) => *slot = Some(point),
-            Err(status) => {
-                return Err(Failure {
-                    status,
-                    point: number,
-                });
-            }
-        }
-    }
-    let placement = placement::<E, D, P, H>(call.parameters);
-    let mut summary = Summary {
-        status: Status::Open,
-        closed: 0,
-    };
-    let mut energy = 0.0;
-    if E::MULTIPLIER {
-        receiver.open(stage.x.len() * D + Q);
-    }
-    for (number, (point, sliding)) in points.iter().zip(&slidings).enumerate() {
-        let Some(point) = point else { continue };
-        if point.status.rank() > summary.status.rank() {
-            summary.status = point.status;
-        }
-        if point.status.is_closed() {
-            let first = summary.closed == 0 && !E::MULTIPLIER;
-            let again = Q > 1;
-            energy += closed::<E, R, D, P, H>(
-                call,
-                stage,
-                receiver,
-                &placement,
-                (point, sliding),
-                (number, first, again),
-            );
-            summary.closed += 1;
-        } else {
-            energy += unloaded::<E, R, D, P, H>(
-                call,
-                stage,
-                receiver,
-                &placement,
-                (number, point, sliding),
-            );
-        }
-    }
-    if summary.closed == 0 && !E::MULTIPLIER {
-        receiver.open(stage.x.len() * D);
-    }
-    receiver.energy(energy);
-    Ok(summary)
 }
 
-/// An element with one contact point: nothing has to be stored between the passes.
-#[inline(always)]
-fn evaluate_one<
-    E: Element<D, P, H>,
-    R: Receiver,
-    const D: usize,
-    const P: usize,
-    const H: usize,
->(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    receiver: &mut R,
-) -> Result<Summary, Failure> {
-    let mut sliding = Sliding::default();
-    let point = match classify::<E, D, P, H>(call, stage, 0, &mut sliding) {
-        Ok(point) => point,
-        Err(status) => return Err(Failure { status, point: 0 }),
-    };
-    let placement = placement::<E, D, P, H>(call.parameters);
-    let is_closed = point.status.is_closed();
-    let positions = stage.x.len() * D;
-    let energy = if is_closed {
+impl<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>
+    Pass<'_, '_, E, R, D, P, H>
+{
+    /// Q points: the first pass over all of them, then the second.
+    #[inline(always)]
+    fn evaluate_all<const Q: usize>(&mut self) -> Result<Summary, Failure> {
+        let mut points = [None; Q];
+        let mut states = [Sliding::default(); Q];
+        for (number, (slot, state)) in points.iter_mut().zip(&mut states).enumerate() {
+            let failed = |status| Failure {
+                status,
+                point: number,
+            };
+            *slot = Some(self.classify(number, state).map_err(failed)?);
+        }
+        let mut summary = Summary {
+            status: Status::Open,
+            closed: 0,
+        };
+        let mut energy = 0.0;
+        let positions = self.stage.x.len() * D;
         if E::MULTIPLIER {
-            receiver.clear(positions);
+            self.receiver.open(positions + Q);
         }
-        let pass = (0, true, false);
-        let point = (&point, &sliding);
-        closed::<E, R, D, P, H>(call, stage, receiver, &placement, point, pass)
-    } else {
-        receiver.open(positions + usize::from(E::MULTIPLIER));
-        let point = (0, &point, &sliding);
-        unloaded::<E, R, D, P, H>(call, stage, receiver, &placement, point)
-    };
-    receiver.energy(energy);
-    Ok(Summary {
-        status: point.status,
-        closed: u32::from(is_closed),
-    })
-}
+        for (number, (point, state)) in points.iter().zip(&states).enumerate() {
+            let Some(point) = point else { continue };
+            if point.status.rank() > summary.status.rank() {
+                summary.status = point.status;
+            }
+            if point.status.is_closed() {
+                // the rows still hold what the last point of the first pass left
+                self.load_slave(number);
+                E::kinematics(
+                    self.stage.x,
+                    &point.zeta,
+                    self.call.parameters,
+                    &mut self.stage.rows,
+                );
+                let is_first = summary.closed == 0 && !E::MULTIPLIER;
+                let write = if is_first { Write::Replace } else { Write::Add };
+                energy += self.closed(number, point, state, write);
+                summary.closed += 1;
+            } else {
+                energy += self.unloaded(number, point, state);
+            }
+        }
+        if summary.closed == 0 && !E::MULTIPLIER {
+            self.receiver.open(positions);
+        }
+        self.receiver.energy(energy);
+        Ok(summary)
+    }
 
-/// Second pass of a point without load: its report, the residual of its multiplier. Returns its energy.
-#[inline(always)]
-fn unloaded<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    receiver: &mut R,
-    placement: &Option<Placement<D>>,
-    (number, point, state): (usize, &Point<D, P, H>, &Sliding<P>),
-) -> f64 {
-    if receiver.reports() {
-        receiver.report(number, &report(point, state, placement, 0.0, 0.0));
+    /// One point: nothing has to be stored between the passes.
+    #[inline(always)]
+    fn evaluate_one(&mut self) -> Result<Summary, Failure> {
+        let mut state = Sliding::default();
+        let point = match self.classify(0, &mut state) {
+            Ok(point) => point,
+            Err(status) => return Err(Failure { status, point: 0 }),
+        };
+        let is_closed = point.status.is_closed();
+        let positions = self.stage.x.len() * D;
+        let energy = if is_closed {
+            if E::MULTIPLIER {
+                self.receiver.clear(positions);
+            }
+            self.closed(0, &point, &state, Write::Replace)
+        } else {
+            self.receiver.open(positions + usize::from(E::MULTIPLIER));
+            self.unloaded(0, &point, &state)
+        };
+        self.receiver.energy(energy);
+        Ok(Summary {
+            status: point.status,
+            closed: u32::from(is_closed),
+        })
     }
-    if !E::MULTIPLIER {
-        return 0.0;
-    }
-    let weight = weight::<E, D, P, H>(call, stage, number);
-    let place = (stage.x.len() + number, stage.x.len() * D + number);
-    let multiplier = (point.multiplier, point.law.slope);
-    multiplier::open(call, place, multiplier, weight, receiver)
-}
 
-/// Second pass of a closed point: law, residual, tangent. Returns its energy.
-#[inline(always)]
-fn closed<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    receiver: &mut R,
-    placement: &Option<Placement<D>>,
-    (point, state): (&Point<D, P, H>, &Sliding<P>),
-    (number, first, again): (usize, bool, bool),
-) -> f64 {
-    if again {
-        load_slave::<E, D, P, H>(call, stage, number);
-        E::kinematics(stage.x, &point.zeta, call.parameters, &mut stage.rows);
+    /// Second pass of a point without load: its report, the residual of its multiplier. Returns its energy.
+    #[inline(always)]
+    fn unloaded(&mut self, number: usize, point: &Point<D, P, H>, state: &Sliding<P>) -> f64 {
+        if self.receiver.reports() {
+            let report = report(point, state, &self.placement, 0.0, 0.0);
+            self.receiver.report(number, &report);
+        }
+        if !E::MULTIPLIER {
+            return 0.0;
+        }
+        let weight = self.weight(number);
+        self.open_multiplier(number, point, weight)
     }
-    let law = point.law;
-    let weight = weight::<E, D, P, H>(call, stage, number);
-    let n = match placement {
-        Some(placement) => placement.vector_to_global(&point.gap.n),
-        None => point.gap.n,
-    };
-    if call.wanted.residual {
-        let pull = weight * law.traction;
+
+    /// Second pass of a closed point: law, residual, tangent. Returns its energy.
+    #[inline(always)]
+    fn closed(
+        &mut self,
+        number: usize,
+        point: &Point<D, P, H>,
+        state: &Sliding<P>,
+        write: Write,
+    ) -> f64 {
+        let contact = Contact {
+            number,
+            point,
+            state,
+            weight: self.weight(number),
+            n: self.to_global(&point.gap.n),
+            write,
+        };
+        if self.call.wanted.residual {
+            self.residual(&contact);
+        }
+        if self.call.wanted.tangent {
+            self.tangent(&contact);
+        }
+        if E::MULTIPLIER {
+            self.closed_multiplier(&contact);
+        }
+        let (law, weight) = (point.law, contact.weight);
+        if self.receiver.reports() {
+            let report = report(point, state, &self.placement, law.traction, weight);
+            self.receiver.report(number, &report);
+        }
+        weight * (law.energy + state.tangential.energy)
+    }
+
+    /// Residual of a closed point.
+    #[inline(always)]
+    fn residual(&mut self, contact: &Contact<'_, D, P, H>) {
         if E::Tangential::ACTIVE {
-            let place = (&n, weight, pull, first);
-            sliding::residual::<E, R, D, P, H>(stage, placement, point, state, place, receiver);
+            self.sliding_residual(contact);
             if E::ROLLING.is_some() {
-                let state = (state, weight);
-                rolling::residual::<E, R, D, P, H>(call, stage, point, state, receiver);
+                self.rolling_residual(contact);
+            }
+            return;
+        }
+        self.normal_residual(contact);
+        if E::ANGLE {
+            self.angle_residual(contact);
+        }
+    }
+
+    /// R_(A,k) = N s_A n_k of a point with force N n. [eq:residual]
+    #[inline(always)]
+    fn normal_residual(&mut self, contact: &Contact<'_, D, P, H>) {
+        let weighted_traction = contact.weight * contact.point.law.traction;
+        let force = contact.n.map(|n| weighted_traction * n);
+        let s = &*self.stage.rows.s;
+        if contact.write == Write::Replace {
+            let row = &mut *self.stage.temporaries.row;
+            let (forces, _) = row.as_chunks_mut::<D>();
+            for (to, &s) in forces.iter_mut().zip(s.iter()) {
+                *to = force.map(|force| s * force);
+            }
+            let forces = row.get(..s.len() * D).unwrap_or(&[]);
+            self.receiver.forces(forces, D);
+            return;
+        }
+        for (a, &s) in s.iter().enumerate() {
+            for k in 0..D {
+                self.receiver.force((a, k), s * force[k], Write::Add);
+            }
+        }
+    }
+
+    /// The point's weight: from the call, or from the slave's area.
+    #[inline(always)]
+    fn weight(&mut self, number: usize) -> f64 {
+        if E::SLAVE_NODES == 0 {
+            return self.call.slave_row.last().copied().unwrap_or(1.0);
+        }
+        let measure = E::measure(
+            number,
+            self.stage.reference,
+            self.stage.x,
+            self.call.parameters,
+            self.stage.variation,
+        );
+        measure.weight
+    }
+
+    /// Adds the tangent of a closed point.
+    #[inline(always)]
+    fn tangent(&mut self, contact: &Contact<'_, D, P, H>) {
+        let point = contact.point;
+        let mut coefficients = E::tangent(
+            &point.vectors,
+            &point.gap,
+            &point.law,
+            self.call.parameters,
+            point.orientation,
+        );
+        if E::Tangential::ACTIVE && Self::MERGES_WITH_NORMAL {
+            self.merge_with_normal(contact, &mut coefficients);
+        }
+        let coefficients = in_global_frame(coefficients, &self.placement, contact.weight);
+        if E::Tangential::ACTIVE && !Self::MERGES_WITH_NORMAL {
+            self.sliding_tangent(contact, &coefficients);
+            if E::ROLLING.is_some() {
+                self.rolling_tangent(contact);
             }
         } else {
-            normal_residual(stage, &n.map(|n| pull * n), first, receiver);
-            if E::ANGLE {
-                angle::residual::<E, R, D, P, H>(call, stage, point, (number, weight), receiver);
-            }
+            self.normal_tangent(contact, &coefficients);
         }
-    }
-    if call.wanted.tangent {
-        let pass = (number, &n, weight, first);
-        let both = (point, state);
-        tangent::<E, R, D, P, H>(call, stage, receiver, placement, both, pass);
         if E::ANGLE {
-            angle::tangent::<E, R, D, P, H>(call, stage, point, (number, weight), receiver);
+            self.angle_tangent(contact);
         }
     }
-    if E::MULTIPLIER {
-        let place = (number, point, &n, weight);
-        multiplier::closed::<E, R, D, P, H>(call, stage, placement, state, place, receiver);
-    }
-    if receiver.reports() {
-        let report = report(point, state, placement, law.traction, weight);
-        receiver.report(number, &report);
-    }
-    weight * (law.energy + state.tangential.energy)
-}
 
-/// R_(A,k) = N s_A n_k of a point with force N n. [eq:residual]
-#[inline(always)]
-fn normal_residual<R: Receiver, const D: usize, const P: usize, const H: usize>(
-    stage: &mut Stage<'_, D, P, H>,
-    force: &[f64; D],
-    first: bool,
-    receiver: &mut R,
-) {
-    if first {
-        let (forces, _) = stage.temporaries.row.as_chunks_mut::<D>();
-        for (to, &s) in forces.iter_mut().zip(stage.rows.s.iter()) {
-            *to = force.map(|force| s * force);
-        }
-        let unknowns = stage.rows.s.len() * D;
-        receiver.forces(stage.temporaries.row.get(..unknowns).unwrap_or(&[]), D);
-        return;
+    /// Contracts the coefficients of the normal law.
+    #[inline(always)]
+    fn normal_tangent(
+        &mut self,
+        contact: &Contact<'_, D, P, H>,
+        coefficients: &Coefficients<D, P>,
+    ) {
+        let stage = &mut *self.stage;
+        let measure: &[f64] = if E::CURRENT {
+            scale_variation(stage.variation, contact.point.law.traction, &self.placement);
+            stage.variation
+        } else {
+            &[]
+        };
+        let contraction = NormalContraction {
+            s: stage.rows.s,
+            ds: core::array::from_fn(|j| &*stage.rows.ds[j]),
+            n: &contact.n,
+            coefficients,
+            measure,
+            moving: E::MOVING,
+            write: contact.write,
+        };
+        contract(&contraction, &mut stage.temporaries, self.receiver);
     }
-    for (a, &s) in stage.rows.s.iter().enumerate() {
-        for k in 0..D {
-            receiver.force((a, k), s * force[k], false);
-        }
-    }
-}
-
-/// The point's own weight: from the caller, or from the slave's area.
-#[inline(always)]
-fn weight<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    number: usize,
-) -> f64 {
-    if E::SLAVE_NODES == 0 {
-        return call.slave_row.last().copied().unwrap_or(1.0);
-    }
-    let measure = E::measure(
-        number,
-        stage.reference,
-        stage.x,
-        call.parameters,
-        stage.variation,
-    );
-    measure.weight
-}
-
-/// Adds the tangent of a closed point with global normal `n`.
-#[inline(always)]
-fn tangent<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    receiver: &mut R,
-    placement: &Option<Placement<D>>,
-    (point, state): (&Point<D, P, H>, &Sliding<P>),
-    (number, n, weight, first): (usize, &[f64; D], f64, bool),
-) {
-    let mut coefficients = E::tangent(
-        &point.vectors,
-        &point.gap,
-        &point.law,
-        call.parameters,
-        point.orientation,
-    );
-    let joins = sliding::joins::<E, D, P, H>();
-    if E::Tangential::ACTIVE && joins {
-        let place = (number, point, state);
-        sliding::join::<E, D, P, H>(call, stage.x, place, &mut coefficients);
-    }
-    let coefficients = in_global_frame(coefficients, placement, weight);
-    if E::Tangential::ACTIVE && !joins {
-        let place = (number, point, n, weight, first);
-        sliding::tangent::<E, R, D, P, H>(
-            call,
-            stage,
-            placement,
-            state,
-            place,
-            &coefficients,
-            receiver,
-        );
-        if E::ROLLING.is_some() {
-            rolling::tangent::<E, R, D, P, H>(call, stage, point, (state, weight), receiver);
-        }
-        return;
-    }
-    let variation: &[f64] = if E::CURRENT {
-        scale_variation(stage.variation, point.law.traction, placement);
-        stage.variation
-    } else {
-        &[]
-    };
-    contract(
-        stage.rows.s,
-        core::array::from_fn(|j| &*stage.rows.ds[j]),
-        n,
-        &coefficients,
-        variation,
-        E::MOVING,
-        first,
-        &mut stage.temporaries,
-        receiver,
-    );
 }
 
 /// The coefficients times the point's weight, turned out of the frame of a placed geometry.

@@ -5,6 +5,7 @@
 //! | `traits` | what does the emitted code provide |
 //! | `receiver` | what goes in besides the nodes, and what comes out |
 //! | `kernel`, `gather` | where do nodes and scratch come from |
+//! | `pass` | what do all steps of an evaluation work on |
 //! | `driver` | in which order are the points evaluated |
 //! | `classify` | open, outside, closed, or why not |
 //! | `edge_side` | on which side are the edges of solids |
@@ -21,6 +22,7 @@ pub(crate) mod edge_side;
 pub(crate) mod gather;
 pub(crate) mod kernel;
 pub(crate) mod multiplier;
+pub(crate) mod pass;
 pub(crate) mod receiver;
 pub(crate) mod rolling;
 pub(crate) mod rows;

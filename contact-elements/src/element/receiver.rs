@@ -67,19 +67,28 @@ pub struct Report {
     pub rolling: Rolling,
 }
 
+/// What a value does to the output that is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Write {
+    /// It takes its place: the first point that writes.
+    Replace,
+    /// It is added.
+    Add,
+}
+
 /// Takes the outputs of an evaluation: dense arrays, strided ones, a sparse matrix.
 pub trait Receiver {
     /// All of residual and tangent is zero: no point is closed.
     fn open(&mut self, unknowns: usize);
     /// Residual, row and column of one unknown are zero: a multiplier of the only point.
     fn clear(&mut self, unknown: usize);
-    /// Entry (node, component) of the residual; `first`: replaces, else adds.
-    fn force(&mut self, place: (usize, usize), value: f64, first: bool);
+    /// Entry (node, component) of the residual.
+    fn force(&mut self, place: (usize, usize), value: f64, write: Write);
     /// All entries of the residual, which they replace.
     fn forces(&mut self, forces: &[f64], dimension: usize) {
         for (node, force) in forces.chunks(dimension).enumerate() {
             for (component, &value) in force.iter().enumerate() {
-                self.force((node, component), value, true);
+                self.force((node, component), value, Write::Replace);
             }
         }
     }
@@ -87,8 +96,8 @@ pub trait Receiver {
     fn rows(&mut self) -> Option<(&mut [f64], usize)> {
         None
     }
-    /// Row `unknown` of the tangent; `first`: replaces, else adds.
-    fn row(&mut self, unknown: usize, row: &[f64], first: bool);
+    /// Row `unknown` of the tangent.
+    fn row(&mut self, unknown: usize, row: &[f64], write: Write);
     /// Adds to the residual of a multiplier: its node and unknown.
     fn multiplier(&mut self, place: (usize, usize), value: f64);
     /// Adds to one entry of the tangent.

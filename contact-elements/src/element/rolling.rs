@@ -9,8 +9,8 @@
 //! The functions are calls, not inlined; an element without rolling makes no such call.
 
 use crate::arithmetic::abs;
-use crate::element::receiver::{Call, Receiver};
-use crate::element::stage::Stage;
+use crate::element::pass::{Contact, Pass};
+use crate::element::receiver::{Call, Receiver, Write};
 use crate::element::traits::Element;
 use crate::point::history::{History, HistoryLayout, held, is_load};
 use crate::point::motion::{MotionRows, Rolling, RollingAngles, RollingForce, RollingLayout};
@@ -181,87 +181,77 @@ fn force<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     )
 }
 
-/// Adds the part of the residual that the tangential residual does not contain. [eq:rolling-residual]
-#[inline(never)]
-pub(crate) fn residual<
-    E: Element<D, P, H>,
-    R: Receiver,
-    const D: usize,
-    const P: usize,
-    const H: usize,
->(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    point: &Point<D, P, H>,
-    (sliding, weight): (&Sliding<P>, f64),
-    receiver: &mut R,
-) {
-    let second = &mut stage.tangential.second;
-    let force = force::<E, D, P, H>(call, stage.x, point, sliding, second);
-    let rows = MotionRows {
-        rows: &stage.rows,
-        second: &stage.tangential.second,
-        third: &no_rows(),
-    };
-    for a in 0..stage.rows.s.len() {
-        for k in 0..D {
-            let value = weight * rows.entry(&force.explicit, (a, k));
-            receiver.force((a, k), value, false);
+impl<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>
+    Pass<'_, '_, E, R, D, P, H>
+{
+    /// Adds the part of the residual that the tangential residual does not contain. [eq:rolling-residual]
+    #[inline(never)]
+    pub(crate) fn rolling_residual(&mut self, contact: &Contact<'_, D, P, H>) {
+        let (stage, receiver) = (&mut *self.stage, &mut *self.receiver);
+        let weight = contact.weight;
+        let second = &mut stage.tangential.second;
+        let (point, state) = (contact.point, contact.state);
+        let force = force::<E, D, P, H>(self.call, stage.x, point, state, second);
+        let nodes = stage.rows.s.len();
+        let second = stage.tangential.second.each_mut().map(|row| &mut **row);
+        let rows = MotionRows {
+            rows: &stage.rows.reborrow(),
+            second: &second,
+            third: &no_rows(),
+        };
+        for a in 0..nodes {
+            for k in 0..D {
+                let value = weight * rows.entry(&force.explicit, (a, k));
+                receiver.force((a, k), value, Write::Add);
+            }
         }
     }
-}
 
-/// Adds the tangent of the moments. [eq:rolling-tangent]
-///
-/// The rows of third derivatives overwrite those of the normal tangent, which are no longer needed.
-#[inline(never)]
-pub(crate) fn tangent<
-    E: Element<D, P, H>,
-    R: Receiver,
-    const D: usize,
-    const P: usize,
-    const H: usize,
->(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    point: &Point<D, P, H>,
-    (sliding, weight): (&Sliding<P>, f64),
-    receiver: &mut R,
-) {
-    let scratch = &mut stage.tangential;
-    let third = E::higher(stage.x, &point.zeta, call.parameters, &mut scratch.second);
-    for row in &mut stage.temporaries.g {
-        row.fill(0.0);
-    }
-    let nodes = stage.rows.s.len();
-    let thirds = &mut stage.temporaries.g;
-    let mut own: [&mut [f64]; P] = no_rows();
-    for (to, from) in own.iter_mut().zip(thirds) {
-        *to = from.get_mut(..nodes).unwrap_or_default();
-    }
-    E::third_rows(&point.zeta, &mut own);
-    let coefficients = E::rolling_tangent(
-        &point.vectors,
-        &point.gap,
-        &sliding.frame,
-        &third,
-        (&sliding.rolling, point.law.slope),
-        call.parameters,
-    );
-    let rows = MotionRows {
-        rows: &stage.rows,
-        second: &scratch.second,
-        third: &own,
-    };
-    let unknowns = nodes * D;
-    let Some(row) = stage.temporaries.row.get_mut(..unknowns) else {
-        return;
-    };
-    for unknown in 0..unknowns {
-        let whole = coefficients.row(|form| weight * rows.entry(form, (unknown / D, unknown % D)));
-        for (other, entry) in row.iter_mut().enumerate() {
-            *entry = rows.entry(&whole, (other / D, other % D));
+    /// Adds the tangent of the moments. [eq:rolling-tangent]
+    ///
+    /// The rows of third derivatives overwrite those of the normal tangent, which are no longer needed.
+    #[inline(never)]
+    pub(crate) fn rolling_tangent(&mut self, contact: &Contact<'_, D, P, H>) {
+        let (stage, receiver) = (&mut *self.stage, &mut *self.receiver);
+        let weight = contact.weight;
+        let (point, state, parameters) = (contact.point, contact.state, self.call.parameters);
+        let scratch = &mut stage.tangential;
+        let third = E::higher(stage.x, &point.zeta, parameters, &mut scratch.second);
+        for row in &mut stage.temporaries.g {
+            row.fill(0.0);
         }
-        receiver.row(unknown, row, false);
+        let nodes = stage.rows.s.len();
+        let thirds = &mut stage.temporaries.g;
+        let mut own: [&mut [f64]; P] = no_rows();
+        for (to, from) in own.iter_mut().zip(thirds) {
+            *to = from.get_mut(..nodes).unwrap_or_default();
+        }
+        E::third_rows(&point.zeta, &mut own);
+        let coefficients = E::rolling_tangent(
+            &point.vectors,
+            &point.gap,
+            &state.frame,
+            &third,
+            (&state.rolling, point.law.slope),
+            parameters,
+        );
+        let second = scratch.second.each_mut().map(|row| &mut **row);
+        let rows = MotionRows {
+            rows: &stage.rows.reborrow(),
+            second: &second,
+            third: &own,
+        };
+        let unknowns = nodes * D;
+        let Some(row) = stage.temporaries.row.get_mut(..unknowns) else {
+            return;
+        };
+        for unknown in 0..unknowns {
+            let at = (unknown / D, unknown % D);
+            let whole = coefficients.row(|form| weight * rows.entry(form, at));
+            for (other, entry) in row.iter_mut().enumerate() {
+                *entry = rows.entry(&whole, (other / D, other % D));
+            }
+            receiver.row(unknown, row, Write::Add);
+        }
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! The same products and sums in the same order as [`contract`](crate::element::contraction::contract), so the same bits.
 
+use crate::element::receiver::Write;
 use crate::lanes::{Four, Quad, Wide, Width};
 
 /// u_k and g_j of the contraction, over all unknowns.
@@ -98,7 +99,7 @@ unsafe fn put<Q: Quad, const D: usize>(value: Q, to: *mut f64, is_last: bool) {
     }
 }
 
-/// K(A,k) = s_A u_k + n_k s_A,j g_j, all rows, `apart` places from one to the next; `first`: replaces, else adds.
+/// K(A,k) = s_A u_k + n_k s_A,j g_j, all rows, `apart` places from one to the next.
 /// False, and nothing done, where the lengths do not belong together or a row is shorter than the lanes.
 #[inline(always)]
 pub(crate) fn write<T: Wide, const D: usize, const P: usize>(
@@ -106,7 +107,7 @@ pub(crate) fn write<T: Wide, const D: usize, const P: usize>(
     n: &[f64; D],
     factors: &Factors<'_, D, P>,
     (to, apart): (&mut [f64], usize),
-    first: bool,
+    how: Write,
 ) -> bool {
     let unknowns = nodes.len() * D;
     let has_room = apart >= unknowns && to.len() >= unknowns * apart;
@@ -114,7 +115,7 @@ pub(crate) fn write<T: Wide, const D: usize, const P: usize>(
         return false;
     }
     let lanes = n.map(T::constant);
-    if first {
+    if how == Write::Replace {
         for (a, (s, ds)) in nodes.enumerate() {
             // SAFETY: all of u and g have an entry for every unknown, K a row.
             unsafe {
@@ -231,7 +232,7 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
         count: usize,
         (mut u, mut g): ([&mut [f64]; D], [&mut [f64]; P]),
         to: (&mut [f64], usize),
-        first: bool,
+        how: Write,
     ) -> bool {
         let mut are_rows = self.s.len() == count;
         for row in self.ds {
@@ -281,7 +282,7 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
             u: u.map(|row| &*row),
             g: g.map(|row| &*row),
         };
-        write::<T, D, P>((0..count).map(node), self.n, &factors, to, first)
+        write::<T, D, P>((0..count).map(node), self.n, &factors, to, how)
     }
 
     /// All rows, where the processor has the lanes for it; false where K was not touched.
@@ -290,7 +291,7 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
         &self,
         scratch: ([&mut [f64]; D], [&mut [f64]; P]),
         to: (&mut [f64], usize),
-        first: bool,
+        how: Write,
     ) -> bool {
         #[cfg(target_arch = "x86_64")]
         if Width::widest() >= Width::Four {
@@ -303,7 +304,7 @@ impl<const D: usize, const P: usize> Contraction<'_, D, P> {
                 _ => four::<D, P, 0>,
             };
             // SAFETY: the processor has AVX2.
-            return unsafe { kernel(self, scratch, to, first) };
+            return unsafe { kernel(self, scratch, to, how) };
         }
         false
     }
@@ -317,10 +318,10 @@ fn four<const D: usize, const P: usize, const N: usize>(
     contraction: &Contraction<'_, D, P>,
     scratch: ([&mut [f64]; D], [&mut [f64]; P]),
     to: (&mut [f64], usize),
-    first: bool,
+    how: Write,
 ) -> bool {
     let count = if N == 0 { contraction.s.len() } else { N };
-    contraction.write::<Four>(count, scratch, to, first)
+    contraction.write::<Four>(count, scratch, to, how)
 }
 
 /// A vector as a quadruple.

@@ -2,15 +2,16 @@
 //!
 //! The functions are calls, not inlined: the kernel of an element stays as small as without friction and compiles as fast.
 
-use crate::arithmetic::abs;
+use crate::arithmetic::{abs, sqrt};
+use crate::element::pass::{Contact, Pass};
 use crate::element::receiver::{Call, Receiver};
-use crate::element::stage::{Stage, TangentialRows, scale_variation};
+use crate::element::stage::{TangentialRows, scale_variation};
 use crate::element::tangential_contraction::{Shares, contract_sliding};
 use crate::element::traits::Element;
 use crate::point::friction::{Tangential, return_map};
 use crate::point::history::{History, HistoryLayout, held, is_load};
-use crate::point::placement::Placement;
-use crate::point::state::{Point, Sliding};
+use crate::point::state::Sliding;
+use crate::point::tangential::TangentialCoefficients;
 use crate::point::values::{Coefficients, Frame, Gap, Rows, Status, Vectors};
 
 /// Least share of an axis in the tangent plane.
@@ -30,23 +31,41 @@ fn accepted<const P: usize>(
     Some((anchor, history.at(layout.path_at())))
 }
 
+/// A closed point as friction sees it.
+pub(crate) struct Touch<'t, const D: usize, const P: usize, const H: usize> {
+    pub(crate) number: usize,
+    /// Nodes, where the slave's tangent is an axis.
+    pub(crate) nodes: &'t [[f64; D]],
+    pub(crate) zeta: [f64; P],
+    pub(crate) vectors: Vectors<D, P, H>,
+    pub(crate) gap: Gap<D>,
+    /// N
+    pub(crate) traction: f64,
+}
+
 /// First pass over a closed point: frame, slip, return map, new anchor; writes no output.
 #[inline(never)]
 pub(crate) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     call: &Call<'_>,
-    (number, x): (usize, &[[f64; D]]),
-    zeta: [f64; P],
-    (vectors, gap, traction): (&Vectors<D, P, H>, &Gap<D>, f64),
+    touch: &Touch<'_, D, P, H>,
     sliding: &mut Sliding<P>,
 ) -> Result<Status, Status> {
+    let Touch {
+        number,
+        nodes,
+        zeta,
+        vectors,
+        gap,
+        traction,
+    } = touch;
     let history = call
         .history
-        .and_then(|history| history.from(number * E::HISTORY));
+        .and_then(|history| history.from(*number * E::HISTORY));
     // contact that begins is anchored where it is
     let remembered = accepted(&E::HISTORY_LAYOUT, history);
-    let (anchor, path) = remembered.unwrap_or((zeta, 0.0));
+    let (anchor, path) = remembered.unwrap_or((*zeta, 0.0));
     let moved = core::array::from_fn(|i| zeta[i] - anchor[i]);
-    let frame = E::frame(number, x, vectors, gap, &moved, call.parameters);
+    let frame = E::frame(*number, nodes, vectors, gap, &moved, call.parameters);
     // an axis of length zero, or a slave curve that stands on the surface
     if !(is_finite(&frame) && frame.share > LEAST_SHARE) {
         return Err(Status::Degenerate);
@@ -68,7 +87,7 @@ pub(crate) fn slide<E: Element<D, P, H>, const D: usize, const P: usize, const H
     sliding.anchor = anchor;
     sliding.path = path;
     if status == Status::Slip {
-        sliding.move_anchor(&zeta, s);
+        sliding.move_anchor(zeta, s);
         // tangents so nearly parallel that no history could say where the slip began
         if !E::REACH.can_be_anchors(&sliding.anchor) {
             return Err(Status::Degenerate);
@@ -90,7 +109,7 @@ impl<const P: usize> Sliding<P> {
             }
         }
         let (first, second) = (s[0] - elastic[0], s[1] - elastic[1]);
-        self.path += crate::arithmetic::sqrt(first * first + second * second);
+        self.path += sqrt(first * first + second * second);
     }
 }
 
@@ -106,67 +125,20 @@ fn is_finite<const P: usize>(frame: &Frame<P>) -> bool {
     finite
 }
 
-/// Gives the residual of a sticking or sliding point to the receiver, the normal one (`pull`: w N) included.
-/// [eq:tangential-residual]
-#[inline(always)]
-pub(crate) fn residual<
-    E: Element<D, P, H>,
-    R: Receiver,
-    const D: usize,
-    const P: usize,
-    const H: usize,
->(
-    stage: &Stage<'_, D, P, H>,
-    placement: &Option<Placement<D>>,
-    point: &Point<D, P, H>,
-    sliding: &Sliding<P>,
-    (n, weight, pull, first): (&[f64; D], f64, f64, bool),
-    receiver: &mut R,
-) {
-    let (frame, tangential) = (&sliding.frame, &sliding.tangential);
-    let mut own = E::tangential_force(&point.vectors, &point.gap, frame, tangential);
-    if let Some(placement) = placement {
-        own.force = placement.vector_to_global(&own.force);
-    }
-    let mut force = [0.0; D];
-    for k in 0..D {
-        force[k] = pull * n[k] + weight * own.force[k];
-    }
-    let turn = own.turn.map(|turn| weight * turn);
-    spread::<E, D, P, H>(stage, (n, &force, &turn), |place, value| {
-        receiver.force(place, value, first);
-    });
-}
-
-/// w t_q Z_q of other tangential forces in the same frame. [eq:tangential-residual]
-#[inline(always)]
-pub(crate) fn spread_force<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    (stage, placement): (&Stage<'_, D, P, H>, &Option<Placement<D>>),
-    (point, frame, tangential): (&Point<D, P, H>, &Frame<P>, &Tangential),
-    (n, weight): (&[f64; D], f64),
-    add: impl FnMut((usize, usize), f64),
-) {
-    let mut own = E::tangential_force(&point.vectors, &point.gap, frame, tangential);
-    if let Some(placement) = placement {
-        own.force = placement.vector_to_global(&own.force);
-    }
-    let force = own.force.map(|force| weight * force);
-    let turn = own.turn.map(|turn| weight * turn);
-    spread::<E, D, P, H>(stage, (n, &force, &turn), add);
-}
-
-/// s_A f_k + s_A,i g_i n_k for every node and component.
+/// s_A f_k + s_A,i g_i n_k for every node and component, g: `lever`.
 #[inline(always)]
 fn spread<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    stage: &Stage<'_, D, P, H>,
-    (n, force, turn): (&[f64; D], &[f64; D], &[f64; P]),
+    rows: &Rows<'_, P>,
+    n: &[f64; D],
+    force: &[f64; D],
+    lever: &[f64; P],
     mut add: impl FnMut((usize, usize), f64),
 ) {
-    for (a, &s) in stage.rows.s.iter().enumerate() {
+    for (a, &s) in rows.s.iter().enumerate() {
         let mut along = 0.0;
         if E::MOVING {
             for i in 0..P {
-                along += turn[i] * stage.rows.ds[i].get(a).copied().unwrap_or(0.0);
+                along += lever[i] * rows.ds[i].get(a).copied().unwrap_or(0.0);
             }
         }
         for k in 0..D {
@@ -179,112 +151,162 @@ fn spread<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     }
 }
 
-/// Number of a contact point, the point, its normal in the global frame, its weight, whether it is the first.
-pub(crate) type Place<'a, const D: usize, const P: usize, const H: usize> =
-    (usize, &'a Point<D, P, H>, &'a [f64; D], f64, bool);
+impl<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: usize>
+    Pass<'_, '_, E, R, D, P, H>
+{
+    /// True where no unknown turns the tangents, no axis moves with the slave and no measure with the point: the tangential
+    /// tangent multiplies s_A s_B alone and merges with the normal one, so it costs no contraction.
+    pub(crate) const MERGES_WITH_NORMAL: bool = !E::MOVING && !E::SLAVE_AXIS && !E::CURRENT;
 
-/// Gives the tangent of a sticking or sliding point to the receiver, the normal one included.
-/// [eq:tangential-contraction]
-#[inline(always)]
-pub(crate) fn tangent<
-    E: Element<D, P, H>,
-    R: Receiver,
-    const D: usize,
-    const P: usize,
-    const H: usize,
->(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    placement: &Option<Placement<D>>,
-    sliding: &Sliding<P>,
-    (number, point, n, weight, first): Place<'_, D, P, H>,
-    normal: &Coefficients<D, P>,
-    receiver: &mut R,
-) {
-    let scratch = &mut stage.tangential;
-    let third = E::higher(stage.x, &point.zeta, call.parameters, &mut scratch.second);
-    if E::SLAVE_AXIS {
-        E::slave_direction(number, call.parameters, scratch.slave);
+    /// Passes the residual of a sticking or sliding point to the receiver, the normal one included.
+    /// [eq:tangential-residual]
+    #[inline(always)]
+    pub(crate) fn sliding_residual(&mut self, contact: &Contact<'_, D, P, H>) {
+        // copies: with rolling the contact is handed to a call, and would be read anew for every entry
+        let Contact {
+            point,
+            state,
+            n,
+            weight,
+            write,
+            ..
+        } = *contact;
+        let own = E::tangential_force(&point.vectors, &point.gap, &state.frame, &state.tangential);
+        let tangential = self.to_global(&own.force);
+        let weighted_traction = weight * point.law.traction;
+        let mut force = [0.0; D];
+        for k in 0..D {
+            force[k] = weighted_traction * n[k] + weight * tangential[k];
+        }
+        let lever = own.turn.map(|turn| weight * turn);
+        let (stage, receiver) = (&*self.stage, &mut *self.receiver);
+        spread::<E, D, P, H>(&stage.rows, &n, &force, &lever, |place, value| {
+            receiver.force(place, value, write);
+        });
     }
-    let (vectors, gap) = (point.vectors, point.gap);
-    let mut coefficients = E::tangential_tangent(
-        (number, stage.x),
-        &vectors,
-        &gap,
-        &sliding.frame,
-        &third,
-        (&sliding.tangential, point.law.slope),
-        call.parameters,
-    );
-    if let Some(placement) = placement {
-        coefficients.turn(|vector| placement.vector_to_global(vector));
-    }
-    if weight != 1.0 {
-        coefficients.weigh(weight);
-    }
-    if E::CURRENT {
-        scale_variation(stage.variation, 1.0, placement);
-    }
-    let shares = Shares {
-        n,
-        normal,
-        tangential: &coefficients,
-        measure: if E::CURRENT { stage.variation } else { &[] },
-        traction: point.law.traction,
-        t: core::array::from_fn(|q| sliding.tangential.t.get(q).copied().unwrap_or(0.0)),
-        first,
-    };
-    // made here: a call that got the stage itself would have all that it refers to go through memory
-    let rows = Rows {
-        s: &mut *stage.rows.s,
-        ds: stage.rows.ds.each_mut().map(|row| &mut **row),
-    };
-    let blocks = stage.temporaries.u.each_mut().map(|row| &mut **row);
-    let mut scratch = TangentialRows {
-        second: scratch.second.each_mut().map(|row| &mut **row),
-        slave: &mut *scratch.slave,
-        columns: &mut *scratch.columns,
-    };
-    contract_sliding::<E, R, D, P, H>(&rows, &shares, blocks, &mut scratch, receiver);
-}
 
-/// Where no unknown turns the tangents, no axis moves with the slave and no measure with the point, the
-/// tangential tangent multiplies s_A s_B alone and joins the normal one: it costs no contraction.
-#[inline(always)]
-pub(crate) fn joins<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>() -> bool {
-    !E::MOVING && !E::SLAVE_AXIS && !E::CURRENT
-}
+    /// w t_q Z_q of other tangential forces in the frame of the point: row and column of the multiplier `unknown`.
+    /// [eq:tangential-residual]
+    #[inline(always)]
+    pub(crate) fn couple(
+        &mut self,
+        contact: &Contact<'_, D, P, H>,
+        tangential: &Tangential,
+        unknown: usize,
+    ) {
+        let (point, frame) = (contact.point, &contact.state.frame);
+        let own = E::tangential_force(&point.vectors, &point.gap, frame, tangential);
+        let force = self
+            .to_global(&own.force)
+            .map(|force| contact.weight * force);
+        let lever = own.turn.map(|turn| contact.weight * turn);
+        let receiver = &mut *self.receiver;
+        spread::<E, D, P, H>(
+            &self.stage.rows,
+            &contact.n,
+            &force,
+            &lever,
+            |(a, k), value| {
+                receiver.coupling(a * D + k, unknown, value);
+            },
+        );
+    }
 
-/// Adds the tangential tangent to the coefficients of the normal one, see [`joins`].
-#[inline(always)]
-pub(crate) fn join<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    call: &Call<'_>,
-    x: &[[f64; D]],
-    (number, point, sliding): (usize, &Point<D, P, H>, &Sliding<P>),
-    coefficients: &mut Coefficients<D, P>,
-) {
-    let third = E::higher(
-        x,
-        &point.zeta,
-        call.parameters,
-        &mut core::array::from_fn(|_| <&mut [f64]>::default()),
-    );
-    let (vectors, gap) = (point.vectors, point.gap);
-    let joined = E::joined_tangent(
-        (number, x),
-        &vectors,
-        &gap,
-        &sliding.frame,
-        &third,
-        (&sliding.tangential, point.law.slope),
-        call.parameters,
-    );
-    for (to, from) in coefficients
-        .p
-        .iter_mut()
-        .flatten()
-        .zip(joined.as_flattened())
-    {
-        *to += from;
+    /// Adds the tangential tangent to the coefficients of the normal one, see [`Self::MERGES_WITH_NORMAL`].
+    #[inline(always)]
+    pub(crate) fn merge_with_normal(
+        &self,
+        contact: &Contact<'_, D, P, H>,
+        coefficients: &mut Coefficients<D, P>,
+    ) {
+        let (x, point, state) = (self.stage.x, contact.point, contact.state);
+        let third = E::higher(
+            x,
+            &point.zeta,
+            self.call.parameters,
+            &mut core::array::from_fn(|_| <&mut [f64]>::default()),
+        );
+        let (vectors, gap) = (point.vectors, point.gap);
+        let merged = E::joined_tangent(
+            (contact.number, x),
+            &vectors,
+            &gap,
+            &state.frame,
+            &third,
+            (&state.tangential, point.law.slope),
+            self.call.parameters,
+        );
+        let entries = coefficients.p.iter_mut().flatten();
+        for (to, from) in entries.zip(merged.as_flattened()) {
+            *to += from;
+        }
+    }
+
+    /// Coefficients of the tangential tangent in the global frame, times the weight of the point. Fills the rows s_A,ij
+    /// and that of the slave's tangent.
+    #[inline(always)]
+    fn sliding_coefficients(
+        &mut self,
+        contact: &Contact<'_, D, P, H>,
+    ) -> TangentialCoefficients<D, P, H> {
+        let (point, state) = (contact.point, contact.state);
+        let scratch = &mut self.stage.tangential;
+        let parameters = self.call.parameters;
+        let third = E::higher(self.stage.x, &point.zeta, parameters, &mut scratch.second);
+        if E::SLAVE_AXIS {
+            E::slave_direction(contact.number, parameters, scratch.slave);
+        }
+        let (vectors, gap) = (point.vectors, point.gap);
+        let mut coefficients = E::tangential_tangent(
+            (contact.number, self.stage.x),
+            &vectors,
+            &gap,
+            &state.frame,
+            &third,
+            (&state.tangential, point.law.slope),
+            parameters,
+        );
+        if let Some(placement) = &self.placement {
+            coefficients.rotate(|vector| placement.vector_to_global(vector));
+        }
+        if contact.weight != 1.0 {
+            coefficients.weigh(contact.weight);
+        }
+        coefficients
+    }
+
+    /// Passes the tangent of a sticking or sliding point to the receiver, the normal one included.
+    /// [eq:tangential-contraction]
+    #[inline(always)]
+    pub(crate) fn sliding_tangent(
+        &mut self,
+        contact: &Contact<'_, D, P, H>,
+        normal: &Coefficients<D, P>,
+    ) {
+        let coefficients = self.sliding_coefficients(contact);
+        let stage = &mut *self.stage;
+        if E::CURRENT {
+            scale_variation(stage.variation, 1.0, &self.placement);
+        }
+        let t = &contact.state.tangential.t;
+        let shares = Shares {
+            n: &contact.n,
+            normal,
+            tangential: &coefficients,
+            measure: if E::CURRENT { stage.variation } else { &[] },
+            traction: contact.point.law.traction,
+            t: core::array::from_fn(|q| t.get(q).copied().unwrap_or(0.0)),
+            write: contact.write,
+        };
+        // made here: a call with the stage itself would force all that it refers to through memory
+        let rows = stage.rows.reborrow();
+        let blocks = stage.temporaries.u.each_mut().map(|row| &mut **row);
+        let scratch = &mut stage.tangential;
+        let mut scratch = TangentialRows {
+            second: scratch.second.each_mut().map(|row| &mut **row),
+            slave: &mut *scratch.slave,
+            columns: &mut *scratch.columns,
+        };
+        contract_sliding::<E, R, D, P, H>(&rows, &shares, blocks, &mut scratch, self.receiver);
     }
 }

@@ -1,6 +1,5 @@
 //! Nodes and scratch of an evaluation, which every step of it uses.
 
-use crate::element::receiver::Call;
 use crate::element::traits::Element;
 use crate::point::placement::Placement;
 use crate::point::values::Rows;
@@ -85,27 +84,5 @@ pub(crate) fn scale_variation<const D: usize>(
         for entry in block {
             *entry *= factor;
         }
-    }
-}
-
-/// The slave's fixed row: from the declaration, or from the call.
-#[inline(always)]
-pub(crate) fn load_slave<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
-    call: &Call<'_>,
-    stage: &mut Stage<'_, D, P, H>,
-    number: usize,
-) {
-    if E::SLAVE_NODES == 0 {
-        let slaves = call.slave_row.len().saturating_sub(1);
-        for (s, &value) in stage
-            .rows
-            .s
-            .iter_mut()
-            .zip(call.slave_row.iter().take(slaves))
-        {
-            *s = value;
-        }
-    } else {
-        E::slave(number, call.parameters, stage.rows.s);
     }
 }

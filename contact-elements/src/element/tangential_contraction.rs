@@ -8,7 +8,7 @@
 //! ```
 
 use crate::element::contraction::padded;
-use crate::element::receiver::Receiver;
+use crate::element::receiver::{Receiver, Write};
 use crate::element::stage::TangentialRows;
 use crate::element::traits::Element;
 use crate::lanes::Lanes;
@@ -30,8 +30,8 @@ pub struct Shares<'a, const D: usize, const P: usize, const H: usize> {
     pub traction: f64,
     /// t_q, which multiply them.
     pub t: [f64; P],
-    /// True where the rows replace what the receiver holds.
-    pub first: bool,
+    /// How the rows reach the outputs.
+    pub write: Write,
 }
 
 /// Gives K to the receiver row by row: normal and tangential contact at once.
@@ -83,7 +83,7 @@ pub fn contract_sliding<
         node_rows::<E, D, P, H>(a, &rows, shares, quads, &mut blocks);
         for (k, row) in blocks.iter().enumerate() {
             if let Some(row) = row.as_flattened().get(..n * D) {
-                receiver.row(a * D + k, row, shares.first);
+                receiver.row(a * D + k, row, shares.write);
             }
         }
     }

@@ -3,7 +3,7 @@
 use core::cell::Cell;
 
 use crate::element::gather::Nodes;
-use crate::element::receiver::{Call, InputError, OUTPUT_SIZE, Receiver, Report, Summary};
+use crate::element::receiver::{Call, InputError, OUTPUT_SIZE, Receiver, Report, Summary, Write};
 use crate::point::history::HistoryLayout;
 
 /// The compiled kernel of an element: inputs, nodes, workspace, outputs.
@@ -88,9 +88,12 @@ impl core::fmt::Debug for Target<'_> {
 
 /// Writes or adds.
 #[inline(always)]
-fn put(cell: Option<&Cell<f64>>, value: f64, first: bool) {
+fn put(cell: Option<&Cell<f64>>, value: f64, write: Write) {
     if let Some(cell) = cell {
-        cell.set(if first { value } else { cell.get() + value });
+        cell.set(match write {
+            Write::Replace => value,
+            Write::Add => cell.get() + value,
+        });
     }
 }
 
@@ -107,7 +110,7 @@ impl Target<'_> {
 
     /// Writes a row whose entries stand side by side in the host's matrix.
     #[inline(always)]
-    fn dense_row(&mut self, unknown: usize, row: &[f64], first: bool) {
+    fn dense_row(&mut self, unknown: usize, row: &[f64], write: Write) {
         let Matrix::Dense(k) = &mut self.k else {
             return;
         };
@@ -115,30 +118,33 @@ impl Target<'_> {
         let Some(to) = to.and_then(|to| to.get_mut(..row.len())) else {
             return;
         };
-        if first && self.k_scale == 1.0 {
+        if write == Write::Replace && self.k_scale == 1.0 {
             to.copy_from_slice(row);
             return;
         }
         for (to, &value) in to.iter_mut().zip(row) {
             let value = self.k_scale * value;
-            *to = if first { value } else { *to + value };
+            *to = match write {
+                Write::Replace => value,
+                Write::Add => *to + value,
+            };
         }
     }
 
     /// Writes a row through strides, a map or into a sparse matrix.
     // a call: it would be repeated in every kernel
     #[inline(never)]
-    fn strided_row(&mut self, unknown: usize, row: &[f64], first: bool) {
+    fn strided_row(&mut self, unknown: usize, row: &[f64], write: Write) {
         match &self.k {
             Matrix::None => {}
-            Matrix::Dense(_) => self.dense_row(unknown, row, first),
+            Matrix::Dense(_) => self.dense_row(unknown, row, write),
             Matrix::Strided(k) => {
                 let host = self.host(unknown);
                 for (column, &value) in row.iter().enumerate() {
                     put(
                         k.entry(host, self.host(column)),
                         self.k_scale * value,
-                        first,
+                        write,
                     );
                 }
             }
@@ -210,7 +216,7 @@ impl Receiver for Target<'_> {
     fn open(&mut self, unknowns: usize) {
         if !self.f.is_empty() {
             for i in 0..unknowns {
-                put(self.f.get(self.host(i)), 0.0, true);
+                put(self.f.get(self.host(i)), 0.0, Write::Replace);
             }
         }
         match &mut self.k {
@@ -220,7 +226,7 @@ impl Receiver for Target<'_> {
                 let k = *k;
                 for i in 0..unknowns {
                     for j in 0..unknowns {
-                        put(k.entry(self.host(i), self.host(j)), 0.0, true);
+                        put(k.entry(self.host(i), self.host(j)), 0.0, Write::Replace);
                     }
                 }
             }
@@ -230,7 +236,7 @@ impl Receiver for Target<'_> {
     #[inline(never)]
     fn clear(&mut self, unknown: usize) {
         let (n, row) = (self.unknowns, self.host(unknown));
-        put(self.f.get(row), 0.0, true);
+        put(self.f.get(row), 0.0, Write::Replace);
         match &mut self.k {
             Matrix::None => {}
             Matrix::Dense(k) => {
@@ -244,19 +250,19 @@ impl Receiver for Target<'_> {
                 let k = *k;
                 for other in 0..n {
                     let other = self.host(other);
-                    put(k.entry(row, other), 0.0, true);
-                    put(k.entry(other, row), 0.0, true);
+                    put(k.entry(row, other), 0.0, Write::Replace);
+                    put(k.entry(other, row), 0.0, Write::Replace);
                 }
             }
         }
     }
 
     #[inline(always)]
-    fn force(&mut self, (node, component): (usize, usize), value: f64, first: bool) {
+    fn force(&mut self, (node, component): (usize, usize), value: f64, write: Write) {
         let value = self.f_scale * value;
         if !self.f.is_empty() {
             let unknown = self.host(node * self.dimension + component);
-            put(self.f.get(unknown), value, first);
+            put(self.f.get(unknown), value, write);
         }
         if let Some(Share { sums, contact }) = self.global_f {
             sums.add_force(contact, node, component, value);
@@ -268,7 +274,7 @@ impl Receiver for Target<'_> {
         if self.map.is_some() || self.global_f.is_some() {
             for (node, force) in forces.chunks(dimension).enumerate() {
                 for (component, &value) in force.iter().enumerate() {
-                    self.force((node, component), value, true);
+                    self.force((node, component), value, Write::Replace);
                 }
             }
             return;
@@ -289,17 +295,17 @@ impl Receiver for Target<'_> {
     }
 
     #[inline(always)]
-    fn row(&mut self, unknown: usize, row: &[f64], first: bool) {
+    fn row(&mut self, unknown: usize, row: &[f64], write: Write) {
         if matches!(self.k, Matrix::Dense(_)) && self.sparse.is_none() {
-            self.dense_row(unknown, row, first);
+            self.dense_row(unknown, row, write);
         } else {
-            self.strided_row(unknown, row, first);
+            self.strided_row(unknown, row, write);
         }
     }
 
     fn multiplier(&mut self, (node, unknown): (usize, usize), value: f64) {
         let value = self.f_scale * value;
-        put(self.f.get(self.host(unknown)), value, false);
+        put(self.f.get(self.host(unknown)), value, Write::Add);
         if let Some(Share { sums, contact }) = self.global_f {
             sums.add_force(contact, node, 0, value);
         }
@@ -320,7 +326,7 @@ impl Receiver for Target<'_> {
                     *entry += scaled;
                 }
             }
-            Matrix::Strided(k) => put(k.entry(host.0, host.1), scaled, false),
+            Matrix::Strided(k) => put(k.entry(host.0, host.1), scaled, Write::Add),
         }
     }
 

@@ -33,19 +33,19 @@ impl<const D: usize> Placement<D> {
         for (origin, &value) in placement.origin.iter_mut().zip(parameters) {
             *origin = value;
         }
-        let turn = parameters.get(D..).unwrap_or(&[]);
+        let rotation = parameters.get(D..).unwrap_or(&[]);
         if D == 3 {
-            if let Some(&[w, x, y, z]) = turn.first_chunk::<4>() {
-                placement.turn_by_quaternion([w, x, y, z]);
+            if let Some(&[w, x, y, z]) = rotation.first_chunk::<4>() {
+                placement.rotate_by_quaternion([w, x, y, z]);
             }
-        } else if let Some(&[c, s]) = turn.first_chunk::<2>() {
-            placement.turn_to_direction(c, s);
+        } else if let Some(&[c, s]) = rotation.first_chunk::<2>() {
+            placement.rotate_to_direction(c, s);
         }
         placement
     }
 
     #[inline(always)]
-    fn turn_by_quaternion(&mut self, [w, x, y, z]: [f64; 4]) {
+    fn rotate_by_quaternion(&mut self, [w, x, y, z]: [f64; 4]) {
         let square = w * w + x * x + y * y + z * z;
         if square < 1e-60 {
             return;
@@ -76,7 +76,7 @@ impl<const D: usize> Placement<D> {
     }
 
     #[inline(always)]
-    fn turn_to_direction(&mut self, c: f64, s: f64) {
+    fn rotate_to_direction(&mut self, c: f64, s: f64) {
         let square = c * c + s * s;
         if square < 1e-60 {
             return;

@@ -112,9 +112,9 @@ impl<const D: usize, const P: usize, const H: usize> TangentialCoefficients<D, P
         sum
     }
 
-    /// Every vector turned by `turn`.
+    /// Rotates every vector.
     #[inline(always)]
-    pub fn turn(&mut self, turn: impl Fn(&[f64; D]) -> [f64; D]) {
+    pub fn rotate(&mut self, rotated: impl Fn(&[f64; D]) -> [f64; D]) {
         for q in 0..P {
             let (z, p, g) = (&mut self.z[q], &mut self.p[q], &mut self.g[q]);
             for vector in [
@@ -123,10 +123,10 @@ impl<const D: usize, const P: usize, const H: usize> TangentialCoefficients<D, P
                 &mut g.position,
                 &mut g.slave,
             ] {
-                *vector = turn(vector);
+                *vector = rotated(vector);
             }
             for vector in p.turning.iter_mut().chain(&mut g.turning) {
-                *vector = turn(vector);
+                *vector = rotated(vector);
             }
         }
     }

@@ -86,6 +86,17 @@ pub struct Rows<'a, const P: usize, T = f64> {
     pub ds: [&'a mut [T]; P],
 }
 
+impl<const P: usize, T> Rows<'_, P, T> {
+    /// The same rows. Made where a call needs them: it then knows that nothing else writes to what they refer to.
+    #[inline(always)]
+    pub(crate) fn reborrow(&mut self) -> Rows<'_, P, T> {
+        Rows {
+            s: &mut *self.s,
+            ds: self.ds.each_mut().map(|row| &mut **row),
+        }
+    }
+}
+
 /// r, b_i = r_,i and r_,ij at one contact point.
 #[derive(Clone, Copy, Debug)]
 pub struct Vectors<const D: usize, const P: usize, const H: usize, T = f64> {

@@ -2,7 +2,7 @@
 //! entry by entry.
 
 use contact_elements::program::{AngleDescription, SlaveDescription};
-use contact_elements::runtime::Receiver;
+use contact_elements::runtime::{Receiver, Write};
 
 use super::assembly::Assembly;
 use super::friction::Contact;
@@ -82,7 +82,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         let values = interpret(&angle.residual, &of_residual, change);
         let rows = self.angle_rows(&blend, point);
         for (i, entry) in self.form(&values, &rows).into_iter().enumerate() {
-            self.force((i / D, i % D), contact.weight * entry, false);
+            self.force((i / D, i % D), contact.weight * entry, Write::Add);
         }
         let third = self.third(contact.zeta);
         let third = third.chunks_exact(D).enumerate();

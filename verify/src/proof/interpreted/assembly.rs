@@ -1,7 +1,7 @@
 //! The sums of an interpreted element: its state, its inputs in the frame of the geometry, what it adds up.
 
 use contact_elements::program::MasterDescription;
-use contact_elements::runtime::{Enforcement, Placement, Receiver, Report};
+use contact_elements::runtime::{Enforcement, Placement, Receiver, Report, Write};
 
 use super::site::{Mutation, TermSite};
 use crate::interpret::Change;
@@ -37,10 +37,10 @@ pub(super) struct Assembly<'a, const D: usize, const P: usize> {
 
 impl<const D: usize, const P: usize> Receiver for Assembly<'_, D, P> {
     fn open(&mut self, _: usize) {}
-    fn force(&mut self, (node, component): (usize, usize), value: f64, _: bool) {
+    fn force(&mut self, (node, component): (usize, usize), value: f64, _: Write) {
         self.result.residual[node * D + component] += value;
     }
-    fn row(&mut self, unknown: usize, row: &[f64], _: bool) {
+    fn row(&mut self, unknown: usize, row: &[f64], _: Write) {
         let n = self.result.residual.len();
         for (entry, value) in self.result.tangent[unknown * n..].iter_mut().zip(row) {
             *entry += value;

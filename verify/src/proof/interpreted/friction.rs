@@ -4,7 +4,7 @@
 use contact_elements::program::{
     AxisDescription, Program, SlaveDescription, TangentialLawPrograms,
 };
-use contact_elements::runtime::Receiver;
+use contact_elements::runtime::{Receiver, Write};
 
 use super::assembly::Assembly;
 use super::rows::Point;
@@ -245,7 +245,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             let turn: f64 = (0..P).map(|i| values[D + i] * point.ds[i][a]).sum();
             for k in 0..D {
                 let value = point.s[a] * force[k] + turn * normal[k];
-                self.force((a, k), contact.weight * value, false);
+                self.force((a, k), contact.weight * value, Write::Add);
             }
         }
     }

@@ -12,7 +12,7 @@ mod rows;
 mod site;
 
 use contact_elements::OUTPUT_SIZE;
-use contact_elements::runtime::Receiver;
+use contact_elements::runtime::{Receiver, Write};
 
 use crate::interpret::interpret;
 use crate::subject::{Answer, Input, Subject};
@@ -77,7 +77,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         let normal = self.placement.vector_to_global(&n);
         for (a, &s) in point.s.iter().enumerate() {
             for k in 0..D {
-                self.force((a, k), weight * traction * s * normal[k], false);
+                self.force((a, k), weight * traction * s * normal[k], Write::Add);
             }
         }
         self.energy(match multiplier {

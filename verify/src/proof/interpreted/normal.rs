@@ -1,7 +1,7 @@
 //! Normal contact of one point of an interpreted element: gap, coefficients, measure and contraction.
 
 use contact_elements::program::MasterDescription;
-use contact_elements::runtime::{Coefficients, Temporaries, contract};
+use contact_elements::runtime::{Coefficients, NormalContraction, Temporaries, Write, contract};
 
 use super::assembly::Assembly;
 use super::friction::Contact;
@@ -114,17 +114,19 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
         let (mut h, mut row) = (vec![0.0; unknowns], vec![0.0; unknowns]);
         let moving = self.subject.description.moving;
         contract(
-            &point.s,
-            std::array::from_fn(|j| &*point.ds[j]),
-            n,
-            coefficients,
-            if self.subject.description.current {
-                variation
-            } else {
-                &[]
+            &NormalContraction {
+                s: &point.s,
+                ds: std::array::from_fn(|j| &*point.ds[j]),
+                n,
+                coefficients,
+                measure: if self.subject.description.current {
+                    variation
+                } else {
+                    &[]
+                },
+                moving,
+                write: Write::Add,
             },
-            moving,
-            false,
             &mut Temporaries {
                 u: u.each_mut().map(Vec::as_mut_slice),
                 g: g.each_mut().map(Vec::as_mut_slice),

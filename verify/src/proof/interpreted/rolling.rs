@@ -1,7 +1,7 @@
 //! Moments about two curves of an interpreted element: from its tables to R and K, written out entry by entry.
 
 use contact_elements::program::RollingDescription;
-use contact_elements::runtime::Receiver;
+use contact_elements::runtime::{Receiver, Write};
 
 use super::assembly::Assembly;
 use super::friction::{Contact, LawOfElement, Load, State};
@@ -51,7 +51,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
             .into_iter()
             .enumerate()
         {
-            self.force((i / D, i % D), contact.weight * entry, false);
+            self.force((i / D, i % D), contact.weight * entry, Write::Add);
         }
         let Some(program) = &rolling.tangent else {
             return;

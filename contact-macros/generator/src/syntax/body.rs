@@ -4,10 +4,10 @@ use proc_macro2::{Delimiter, Span, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Ident, LitInt, Token, bracketed, parenthesized, token};
 
-use super::expression::{Expr, after_operand, list};
-use super::head::{name, names};
-use super::item::{Body, Comparison, Entry, Field, Relation, Rule, Statement, Value, Word};
-use super::parse::{expected, inside, keyword};
+use super::expression::{after_operand, list};
+use super::head::names;
+use super::item::{Body, Comparison, Entry, Expr, Field, Relation, Rule, Statement, Value, Word};
+use super::token::{expected, inside, keyword, name};
 use crate::diagnostics::Mistakes;
 
 /// Reads the statements of a block; after a mistake it goes on with the next one.

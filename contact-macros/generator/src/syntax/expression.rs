@@ -1,53 +1,16 @@
 //! Expressions as written.
 
-use proc_macro2::{Delimiter, Literal, Span, TokenStream};
+use proc_macro2::{Delimiter, TokenStream};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 use syn::punctuated::Punctuated;
 use syn::{Ident, Token, parenthesized, token};
 
-use super::head::name;
-use super::parse::{expected, inside};
+use super::item::{BinaryOperator, Expr};
+use super::token::{expected, inside, name, number};
 use crate::diagnostics::syntax as messages;
 
-/// An expression whose names have not been looked up.
-#[derive(Debug, Clone)]
-pub enum Expr {
-    /// A literal.
-    Number(f64, Span),
-    /// A name.
-    Name(Ident),
-    /// `-x`, with the place of the sign.
-    Negate(Box<Expr>, Span),
-    /// `x op y`.
-    Binary(BinaryOperator, Box<Expr>, Box<Expr>),
-    /// `f(x, ..)`.
-    Call(Ident, Vec<Expr>),
-}
-
-/// The four arithmetic operators.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BinaryOperator {
-    /// `x + y`.
-    Add,
-    /// `x - y`.
-    Subtract,
-    /// `x * y`.
-    Multiply,
-    /// `x / y`.
-    Divide,
-}
-
 impl Expr {
-    /// Where the expression starts.
-    pub fn span(&self) -> Span {
-        match self {
-            Expr::Number(_, span) | Expr::Negate(_, span) => *span,
-            Expr::Name(name) | Expr::Call(name, _) => name.span(),
-            Expr::Binary(_, x, _) => x.span(),
-        }
-    }
-
     /// Reads an expression and makes sure that it ends where an expression may end.
     pub(super) fn parse(input: ParseStream<'_>) -> syn::Result<Expr> {
         let value = sum(input)?;
@@ -188,14 +151,4 @@ pub(super) fn list(input: ParseStream<'_>) -> syn::Result<Vec<Expr>> {
         }
     })?;
     Ok(list.into_iter().collect())
-}
-
-/// A decimal number without sign.
-pub(super) fn number(input: ParseStream<'_>) -> syn::Result<(f64, Span)> {
-    let literal: Literal = input.parse()?;
-    let text = literal.to_string();
-    match text.replace('_', "").parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok((value, literal.span())),
-        _ => Err(messages::bad_number(&text).at(literal.span())),
-    }
 }

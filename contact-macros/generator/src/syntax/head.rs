@@ -4,9 +4,8 @@ use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Ident, LitStr, Token, bracketed, parenthesized, token};
 
-use super::expression::number;
 use super::item::{Bound, Domain, Head, Parameter};
-use super::parse::{expected, inside, keyword};
+use super::token::{expected, inside, keyword, name, number};
 
 /// Names with commas between them.
 pub(super) fn names(input: ParseStream<'_>) -> syn::Result<Vec<Ident>> {
@@ -19,18 +18,6 @@ pub(super) fn names(input: ParseStream<'_>) -> syn::Result<Vec<Ident>> {
         input.parse::<Token![,]>()?;
     }
     Ok(names)
-}
-
-/// One name.
-pub(super) fn name(input: ParseStream<'_>) -> syn::Result<Ident> {
-    match input.peek(Ident) {
-        true => input.parse(),
-        false => Err(expected(
-            input,
-            "a name",
-            "names are made of letters, digits and `_`; words of Rust are taken",
-        )),
-    }
 }
 
 impl Parse for Head {

@@ -3,8 +3,6 @@
 use proc_macro2::Span;
 use syn::{Ident, LitStr};
 
-use super::expression::Expr;
-
 /// A sequence of items, with the mistakes that were found while reading it.
 ///
 /// Reading never stops at a mistake: it goes on with the next statement or item.
@@ -250,6 +248,45 @@ impl Word {
         match self {
             Word::Name(name) => name.span(),
             Word::Number(_, span) => *span,
+        }
+    }
+}
+
+/// An expression whose names have not been looked up.
+#[derive(Debug, Clone)]
+pub enum Expr {
+    /// A literal.
+    Number(f64, Span),
+    /// A name.
+    Name(Ident),
+    /// `-x`, with the place of the sign.
+    Negate(Box<Expr>, Span),
+    /// `x op y`.
+    Binary(BinaryOperator, Box<Expr>, Box<Expr>),
+    /// `f(x, ..)`.
+    Call(Ident, Vec<Expr>),
+}
+
+/// The four arithmetic operators.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BinaryOperator {
+    /// `x + y`.
+    Add,
+    /// `x - y`.
+    Subtract,
+    /// `x * y`.
+    Multiply,
+    /// `x / y`.
+    Divide,
+}
+
+impl Expr {
+    /// Where the expression starts.
+    pub fn span(&self) -> Span {
+        match self {
+            Expr::Number(_, span) | Expr::Negate(_, span) => *span,
+            Expr::Name(name) | Expr::Call(name, _) => name.span(),
+            Expr::Binary(_, x, _) => x.span(),
         }
     }
 }

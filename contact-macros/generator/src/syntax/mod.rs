@@ -28,9 +28,10 @@ mod item;
 mod parse;
 #[cfg(test)]
 mod tests;
+mod token;
 
-pub use expression::{BinaryOperator, Expr};
 pub use item::{
-    Body, Bound, Comparison, Domain, ElementItem, Entry, Field, File, GeometryItem, GeometryKind,
-    Head, Item, LawItem, Parameter, Relation, Rule, Statement, Value, Word,
+    BinaryOperator, Body, Bound, Comparison, Domain, ElementItem, Entry, Expr, Field, File,
+    GeometryItem, GeometryKind, Head, Item, LawItem, Parameter, Relation, Rule, Statement, Value,
+    Word,
 };

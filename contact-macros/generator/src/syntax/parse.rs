@@ -1,13 +1,12 @@
 //! Files and items.
 
-use proc_macro2::{Delimiter, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, braced, token};
 
 use super::body::{body, entries, skip_item};
-use super::head::name;
 use super::item::{ElementItem, File, GeometryItem, GeometryKind, Head, Item, LawItem};
+use super::token::{describe, expected, keyword, name};
 use crate::diagnostics::{Mistakes, syntax as messages};
 
 impl Parse for File {
@@ -30,47 +29,6 @@ impl Parse for File {
             broken,
             mistakes: mistakes.into_errors(),
         })
-    }
-}
-
-/// The mistake that something else stands at the next token.
-pub(super) fn expected(input: ParseStream<'_>, what: &str, hint: &str) -> syn::Error {
-    messages::expected(what, &describe(input), hint).at(input.span())
-}
-
-/// What `read` makes of the inside of brackets.
-///
-/// After a mistake the rest is taken out, because `syn` reports what nobody took.
-pub(super) fn inside<T>(
-    content: ParseStream<'_>,
-    read: impl FnOnce(ParseStream<'_>) -> syn::Result<T>,
-) -> syn::Result<T> {
-    let result = read(content);
-    while content.parse::<TokenTree>().is_ok() {}
-    result
-}
-
-/// The next token, for messages.
-fn describe(input: ParseStream<'_>) -> String {
-    match input.fork().parse::<TokenTree>() {
-        Ok(TokenTree::Group(group)) => match group.delimiter() {
-            Delimiter::Parenthesis => "`(`".to_string(),
-            Delimiter::Bracket => "`[`".to_string(),
-            Delimiter::Brace => "`{`".to_string(),
-            Delimiter::None => format!("`{group}`"),
-        },
-        Ok(token) => format!("`{token}`"),
-        Err(_) => "the end".to_string(),
-    }
-}
-
-/// Takes the word if it comes next.
-pub(super) fn keyword(input: ParseStream<'_>, word: &str) -> Option<Ident> {
-    let next = input.fork().call(Ident::parse_any).ok()?;
-    if next == word {
-        input.call(Ident::parse_any).ok()
-    } else {
-        None
     }
 }
 

@@ -6,7 +6,7 @@
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Binary, Graph, NodeId, Program, Term, TermId, Unary, Vector, differentiate};
+use super::{Binary, Graph, NodeId, Program, Term, TermId, Unary, differentiate};
 
 /// A program that is being written.
 pub struct Sheet {
@@ -58,12 +58,6 @@ impl Sheet {
         self.constant(1.0)
     }
 
-    /// The zero vector of dimension `n`.
-    pub fn zeros(&self, n: usize) -> Vector<'_> {
-        let zero = self.zero();
-        Vector::new(self, (0..n).map(|_| zero))
-    }
-
     /// Adds an input.
     pub fn input(&self, name: impl Into<String>) -> Scalar<'_> {
         let number = {
@@ -74,26 +68,17 @@ impl Sheet {
         self.scalar(|graph| graph.input(number))
     }
 
-    /// Adds the inputs `name_0 … name_{n-1}`.
-    pub fn input_vector(&self, name: &str, n: usize) -> Vector<'_> {
-        Vector::new(self, (0..n).map(|k| self.input(format!("{name}_{k}"))))
-    }
-
-    /// The inputs `name_0 … name_{n-1}` that exist already.
+    /// The input `name` that exists already.
     ///
     /// # Panics
-    /// There is no input `name_0`.
-    pub fn existing_vector(&self, name: &str, n: usize) -> Vector<'_> {
-        let first = format!("{name}_0");
+    /// There is no such input.
+    pub fn existing_input(&self, name: &str) -> Scalar<'_> {
         let at = {
             let inputs = &self.program.borrow().inputs;
-            inputs.iter().position(|input| *input == first)
+            inputs.iter().position(|input| input == name)
         };
         let at = at.expect("an input that exists");
-        Vector::new(
-            self,
-            (at..at + n).map(|k| self.scalar(|graph| graph.input(k))),
-        )
+        self.scalar(|graph| graph.input(at))
     }
 
     /// Σ term(i) over `indices`
@@ -104,17 +89,6 @@ impl Sheet {
     ) -> Scalar<'s> {
         let sums = indices.into_iter();
         sums.fold(self.zero(), |sum, index| sum + term(index))
-    }
-
-    /// Σ term(i) over `indices`, of vectors of dimension `n`
-    pub fn sum_vectors<'s, I>(
-        &'s self,
-        n: usize,
-        indices: impl IntoIterator<Item = I>,
-        term: impl Fn(I) -> Vector<'s>,
-    ) -> Vector<'s> {
-        let sums = indices.into_iter();
-        sums.fold(self.zeros(n), |sum, index| sum + term(index))
     }
 
     /// Marks `coefficient` as the coefficient of the term with equation tag `tag`. Where nothing that

@@ -68,6 +68,37 @@ impl<'s> Vector<'s> {
     }
 }
 
+/// Vectors on a sheet.
+impl Sheet {
+    /// The zero vector of dimension `n`.
+    pub fn zeros(&self, n: usize) -> Vector<'_> {
+        let zero = self.zero();
+        Vector::new(self, (0..n).map(|_| zero))
+    }
+
+    /// Adds the inputs `name_0 … name_{n-1}`.
+    pub fn input_vector(&self, name: &str, n: usize) -> Vector<'_> {
+        Vector::new(self, (0..n).map(|k| self.input(format!("{name}_{k}"))))
+    }
+
+    /// The inputs `name_0 … name_{n-1}` that exist already.
+    pub fn existing_vector(&self, name: &str, n: usize) -> Vector<'_> {
+        let names = (0..n).map(|k| format!("{name}_{k}"));
+        Vector::new(self, names.map(|name| self.existing_input(&name)))
+    }
+
+    /// Σ term(i) over `indices`, of vectors of dimension `n`
+    pub fn sum_vectors<'s, I>(
+        &'s self,
+        n: usize,
+        indices: impl IntoIterator<Item = I>,
+        term: impl Fn(I) -> Vector<'s>,
+    ) -> Vector<'s> {
+        let sums = indices.into_iter();
+        sums.fold(self.zeros(n), |sum, index| sum + term(index))
+    }
+}
+
 impl<'s> Deref for Vector<'s> {
     type Target = [Scalar<'s>];
     fn deref(&self) -> &[Scalar<'s>] {

@@ -76,6 +76,36 @@ fn augment_point(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) {
 /// multipliers in its history, [`NULL`](crate::code::NULL) for a history that is too short,
 /// [`NOT_FINITE`](crate::code::NOT_FINITE), [`HISTORY`](crate::code::HISTORY) for one that no evaluation writes, or
 /// for two that are not of one step.
+///
+/// # Examples
+/// ```
+/// use contact_elements::{Evaluation, augment, evaluate, initial_history};
+/// # mod pairs {
+/// #     contact_elements::contact_elements! {
+/// #         /// A point and a bilinear facet.
+/// #         element Augmented { slave: point; master: Quad4; normal: Penalty; enforcement: augmented; }
+/// #     }
+/// # }
+/// # use pairs::Augmented;
+/// // the slave point, 0.05 below the facet, and the corners of the facet
+/// let x = [
+///     0.2, -0.1, -0.05, -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0,
+/// ];
+/// let element = Augmented::DESCRIPTOR;
+/// let (mut accepted, mut trial) = ([0.0; 4], [0.0; 4]);
+/// initial_history(element, &mut accepted)?;
+/// let mut evaluation = Evaluation {
+///     x: &x,
+///     parameters: &[1000.0, 0.0, 1.0], // eps_n, r0, orientation
+///     history: &accepted,
+///     trial: &mut trial,
+///     ..Evaluation::default()
+/// };
+/// evaluate(element, &mut evaluation)?;
+/// augment(element, &trial, &mut accepted)?;
+/// assert!((accepted[3] + 50.0).abs() < 1e-12); // the multiplier: compression is negative
+/// # Ok::<(), contact_elements::Error>(())
+/// ```
 pub fn augment(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) -> Result<(), Error> {
     if !element.is_augmented() {
         return Err(Error::new(code::ELEMENT, argument::ELEMENT, 0));

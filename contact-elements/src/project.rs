@@ -33,6 +33,29 @@ pub struct Query<'a> {
 /// [`PARAMETER`](crate::code::PARAMETER), [`NOT_FINITE`](crate::code::NOT_FINITE),
 /// [`NODE_COUNT`](crate::code::NODE_COUNT) for an interpolated slave without a row,
 /// [`ELEMENT`](crate::code::ELEMENT) for a geometry with too many nodes or operations.
+///
+/// # Examples
+/// ```
+/// use contact_elements::{Closest, Query, Verdict, project};
+/// # mod pairs {
+/// #     contact_elements::contact_elements! {
+/// #         /// A point and a bilinear facet.
+/// #         element PointQuad4 { slave: point; master: Quad4; normal: Penalty; }
+/// #     }
+/// # }
+/// # use pairs::PointQuad4;
+/// // the slave point, 0.05 below the facet, and the corners of the facet
+/// let x = [
+///     0.2, -0.1, -0.05, -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0,
+/// ];
+/// let query = Query { x: &x, parameters: &[1000.0, 0.0, 1.0], ..Query::default() };
+/// let (mut found, mut history) = ([Closest::default()], [0.0; 3]);
+/// project(PointQuad4::DESCRIPTOR, &query, &mut found, &mut history)?;
+/// assert_eq!(found[0].verdict, Verdict::Inside);
+/// assert!((found[0].distance - 0.05).abs() < 1e-12);
+/// assert!((found[0].zeta[0] - 0.2).abs() < 1e-12 && history[1] == found[0].zeta[0]);
+/// # Ok::<(), contact_elements::Error>(())
+/// ```
 pub fn project(
     element: &Descriptor,
     query: &Query<'_>,

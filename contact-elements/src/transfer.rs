@@ -246,6 +246,49 @@ pub struct Entered<'a> {
 /// too short, [`NOT_FINITE`](crate::code::NOT_FINITE), [`HISTORY`](crate::code::HISTORY) for a history that no
 /// evaluation writes or that does not belong to the output, [`ELEMENT`](crate::code::ELEMENT) for elements that
 /// remember nothing or different things, [`CUT_BACK`](crate::code::CUT_BACK) for tangents that span no plane.
+///
+/// # Examples
+/// A slave point leaves one facet and enters a neighbour; here both have the same corners.
+/// ```
+/// use contact_elements::{Entered, Evaluation, Left, OUTPUT_SIZE, Status, evaluate, transfer};
+/// # mod pairs {
+/// #     contact_elements::contact_elements! {
+/// #         /// A point and a bilinear facet.
+/// #         element Sliding { slave: point; master: Quad4; normal: Penalty; tangential: Coulomb; }
+/// #     }
+/// # }
+/// # use pairs::Sliding;
+/// // the slave point, 0.05 below the facet, and the corners of the facet
+/// let x = [
+///     0.2, -0.1, -0.05, -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0,
+/// ];
+/// let parameters = [1000.0, 500.0, 0.3, 0.0, 1.0]; // eps_n, eps_t, mu, r0, orientation
+/// let mut at = |accepted: &[f64], moved: f64| {
+///     let (mut x, mut output, mut history) = (x, [0.0; OUTPUT_SIZE], [0.0; 6]);
+///     x[0] += moved;
+///     let mut evaluation = Evaluation {
+///         x: &x,
+///         parameters: &parameters,
+///         history: accepted,
+///         output: &mut output,
+///         trial: &mut history,
+///         ..Evaluation::default()
+///     };
+///     evaluate(Sliding::DESCRIPTOR, &mut evaluation).map(|_| (output, history))
+/// };
+/// let (_, touched) = at(&[], 0.0)?;
+/// let (output, history) = at(&touched, 0.01)?; // sticks, 0.01 from its anchor
+/// let (entered, mut entered_history) = at(&[], 0.01)?;
+/// let left = Left { element: Sliding::DESCRIPTOR, output: &output, history: &history };
+/// let entered = Entered {
+///     element: Sliding::DESCRIPTOR,
+///     output: &entered,
+///     history: &mut entered_history,
+/// };
+/// assert_eq!(transfer(left, entered)?, Status::Stick);
+/// assert!((entered_history[3] - 0.2).abs() < 1e-12); // the anchor came along
+/// # Ok::<(), contact_elements::Error>(())
+/// ```
 pub fn transfer(from: Left<'_>, to: Entered<'_>) -> Result<Status, Error> {
     let left = ContactPoint::new(from.element, from.output, from.history, FROM)?;
     let entered = ContactPoint::new(to.element, to.output, to.history, TO)?;

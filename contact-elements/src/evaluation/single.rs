@@ -56,6 +56,38 @@ pub struct Evaluation<'a> {
 /// for values that cannot be used, [`REQUEST`](crate::code::REQUEST) for a bit that the element does not offer,
 /// [`WORKSPACE`](crate::code::WORKSPACE). [`CUT_BACK`](crate::code::CUT_BACK), with the status of the point, where the
 /// state cannot be evaluated.
+///
+/// # Examples
+/// ```
+/// use contact_elements::{Evaluation, Status, evaluate};
+/// # mod pairs {
+/// #     contact_elements::contact_elements! {
+/// #         /// A point and a bilinear facet.
+/// #         element PointQuad4 { slave: point; master: Quad4; normal: Penalty; }
+/// #     }
+/// # }
+/// # use pairs::PointQuad4;
+/// // the slave point, 0.05 below the facet, and the corners of the facet
+/// let x = [
+///     0.2, -0.1, -0.05, -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0,
+/// ];
+/// let mut residual = [0.0; 15];
+/// let mut evaluation = Evaluation {
+///     x: &x,
+///     parameters: &[1000.0, 0.0, 1.0], // eps_n, r0, orientation
+///     residual: &mut residual,
+///     ..Evaluation::default()
+/// };
+/// let summary = evaluate(PointQuad4::DESCRIPTOR, &mut evaluation)?;
+/// assert_eq!((summary.status, summary.closed), (Status::Closed, 1));
+/// assert!((residual[2] + 50.0).abs() < 1e-12); // dW/du: the contact pushes the point by +50
+///
+/// let negative = &mut Evaluation { x: &x, parameters: &[-1.0, 0.0, 1.0], ..Evaluation::default() };
+/// let error = evaluate(PointQuad4::DESCRIPTOR, negative).unwrap_err();
+/// assert_eq!(error.index, 0);
+/// assert!(error.to_string().starts_with("argument `parameters`, entry 0: a parameter is missing"));
+/// # Ok::<(), contact_elements::Error>(())
+/// ```
 pub fn evaluate(element: &Registered, evaluation: &mut Evaluation<'_>) -> Result<Summary, Error> {
     let nslave = if element.interpolated {
         evaluation.slave_row.len().saturating_sub(1)

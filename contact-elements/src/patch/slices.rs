@@ -43,6 +43,43 @@ impl Patch<'_> {
 /// The outputs are untouched and the error names the argument as in [`evaluate`](crate::evaluate);
 /// [`ELEMENT`](crate::code::ELEMENT) for elements that do not belong together, [`INDEX`](crate::code::INDEX) for a node
 /// that does not exist. With [`CUT_BACK`](crate::code::CUT_BACK) the index is the slave point that cannot be evaluated.
+///
+/// # Examples
+/// ```
+/// use contact_elements::{Evaluation, Patch, Status, evaluate_patch};
+/// # mod pairs {
+/// #     contact_elements::contact_elements! {
+/// #         /// A point and a bilinear facet.
+/// #         element PointQuad4 { slave: point; master: Quad4; normal: Penalty; }
+/// #     }
+/// # }
+/// # use pairs::PointQuad4;
+/// // the slave point, 0.05 below the facet, and the corners of the facet
+/// let x = [
+///     0.2, -0.1, -0.05, -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0,
+/// ];
+/// let patch = Patch {
+///     facet: PointQuad4::DESCRIPTOR,
+///     edge: None,
+///     vertex: None,
+///     slave_points: 1,
+///     master_nodes: 4,
+///     connectivity: &[0, 1, 2, 3],
+///     reach: 0.0,
+/// };
+/// let (mut residual, mut workspace) = ([0.0; 15], vec![0.0; patch.sizes().workspace]);
+/// let mut evaluation = Evaluation {
+///     x: &x,
+///     parameters: &[1000.0, 0.0, 1.0], // eps_n, r0, orientation
+///     residual: &mut residual,
+///     workspace: &mut workspace,
+///     ..Evaluation::default()
+/// };
+/// let summary = evaluate_patch(&patch, &mut evaluation)?;
+/// assert_eq!((summary.status, summary.closed), (Status::Closed, 1));
+/// assert!((residual[2] + 50.0).abs() < 1e-12);
+/// # Ok::<(), contact_elements::Error>(())
+/// ```
 pub fn evaluate_patch(
     patch: &Patch<'_>,
     evaluation: &mut Evaluation<'_>,

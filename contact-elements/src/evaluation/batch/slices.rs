@@ -66,6 +66,36 @@ pub struct Batch<'a> {
 /// [`INDEX`](crate::code::INDEX) for a node or a place of the scatter map that does not exist. With
 /// [`CUT_BACK`](crate::code::CUT_BACK) some contacts could not be evaluated: the error is that of the first of them, its
 /// index the contact, and `results` has all. The other contacts have been evaluated.
+///
+/// # Examples
+/// ```
+/// use contact_elements::{Assembly, Batch, Status, evaluate_batch};
+/// # mod pairs {
+/// #     contact_elements::contact_elements! {
+/// #         /// A point and a bilinear facet.
+/// #         element PointQuad4 { slave: point; master: Quad4; normal: Penalty; }
+/// #     }
+/// # }
+/// # use pairs::PointQuad4;
+/// // a model of two slave points and one facet
+/// let x = [
+///     0.2, -0.1, -0.05, 0.0, 0.0, 1.0, // slave points: one below the facet, one far above
+///     -1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0,
+/// ];
+/// let (mut force, mut results) = ([0.0; 18], [Ok(Status::Open); 2]);
+/// let mut batch = Batch {
+///     x: &x,
+///     connectivity: &[0, 2, 3, 4, 5, 1, 2, 3, 4, 5],
+///     parameters: &[1000.0, 0.0, 1.0], // eps_n, r0, orientation: of both contacts
+///     assembly: Assembly { force: &mut force, ..Assembly::default() },
+///     results: &mut results,
+///     ..Batch::default()
+/// };
+/// evaluate_batch(PointQuad4::DESCRIPTOR, &mut batch)?;
+/// assert_eq!(results, [Ok(Status::Closed), Ok(Status::Open)]);
+/// assert!((force[2] + 50.0).abs() < 1e-12 && force[5] == 0.0);
+/// # Ok::<(), contact_elements::Error>(())
+/// ```
 pub fn evaluate_batch(element: &Registered, batch: &mut Batch<'_>) -> Result<(), Error> {
     let form = batch.form(element);
     let count = batch.results.len();

@@ -199,24 +199,37 @@ impl<'a> Work<'a> {
         }
         let list = self.arrays.connectivity.unwrap_or(&[]);
         // SAFETY: promised by the caller of the batch.
-        let mut outputs = unsafe {
-            let from = (0, self.map, list);
-            Pointers::new(&self.shape, self.batch, from, Ownership::FREE)
-        };
-        let all = (&self.shape, &self.arrays);
-        Ok(evaluate(self.element, all, &mut outputs, memory, width))
+        let mut outputs =
+            unsafe { Pointers::new(&self.shape, self.batch, 0, self.map, list, Ownership::FREE) };
+        let (shape, arrays) = (&self.shape, &self.arrays);
+        Ok(evaluate(
+            self.element,
+            shape,
+            arrays,
+            &mut outputs,
+            memory,
+            width,
+        ))
     }
 }
 
 /// Evaluates contacts in the order of their numbers.
 pub(super) fn evaluate<'a>(
     element: &Registered,
-    inputs: (&'a Shape<'a>, &'a Arrays<'a>),
+    shape: &'a Shape<'a>,
+    arrays: &'a Arrays<'a>,
     outputs: &'a mut Pointers<'_, '_>,
     memory: &'a mut [f64],
     width: Width,
 ) -> Failures {
-    let mut run = Run::new((element.kernel, element.screen), inputs, outputs, memory);
+    let mut run = Run::new(
+        element.kernel,
+        element.screen,
+        shape,
+        arrays,
+        outputs,
+        memory,
+    );
     match element.lanes {
         Some(kernel) if run.shape.count > 1 => kernel(&mut run, width),
         _ => one_by_one(&mut run),

@@ -73,7 +73,7 @@ unsafe fn evaluated(element: &Registered, arguments: &Arguments) -> Result<Summa
         wanted: wanted(bits),
     };
     let symmetrise = bits & request::SYMMETRISE != 0;
-    run(element, (&call, &nodes), memory, &mut target, symmetrise)
+    run(element, &call, &nodes, memory, &mut target, symmetrise)
 }
 
 /// The row and weight of an interpolated slave; empty for other slaves.

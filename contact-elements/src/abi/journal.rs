@@ -61,12 +61,7 @@ impl<'a> Journal<'a> {
         }
     }
 
-    pub(super) fn note_row(
-        &mut self,
-        node: usize,
-        places: Places<'a>,
-        (values, scale): (&[f64], f64),
-    ) {
+    pub(super) fn note_row(&mut self, node: usize, places: Places<'a>, values: &[f64], scale: f64) {
         let length = values.len();
         self.is_short |= self.rows.try_reserve(1).is_err();
         self.is_short |= self.values.try_reserve(length).is_err();

@@ -46,7 +46,9 @@ impl<'s, 'a> Pointers<'s, 'a> {
     pub(super) unsafe fn new(
         shape: &'s Shape<'s>,
         batch: &Batch,
-        (first, map, connectivity): (usize, &'a [i64], &'a [i32]),
+        first: usize,
+        map: &'a [i64],
+        connectivity: &'a [i32],
         ownership: Ownership<'a>,
     ) -> Self {
         let element = shape.element;
@@ -175,7 +177,7 @@ impl Shared for Sums<'_> {
         if !self.ownership.is_free() {
             let node = self.node(contact, self.map.node(entry.unknown));
             if !self.ownership.is_mine(node) {
-                self.ownership.note_row(node, places, (values, scale));
+                self.ownership.note_row(node, places, values, scale);
                 return;
             }
         }

@@ -65,10 +65,10 @@ impl<'a> Ownership<'a> {
 
     /// Records contributions to a row of the host's sparse matrix: their places, values and scale.
     #[inline(never)]
-    pub(super) fn note_row(&self, node: usize, places: Places<'a>, scaled: (&[f64], f64)) {
+    pub(super) fn note_row(&self, node: usize, places: Places<'a>, values: &[f64], scale: f64) {
         // SAFETY: promised by the caller of `new`; null where all is this part's.
         if let Some(journal) = unsafe { self.journal.as_mut() } {
-            journal.note_row(node, places, scaled);
+            journal.note_row(node, places, values, scale);
         }
     }
 }
@@ -97,5 +97,5 @@ impl<'a> Ownership<'a> {
     #[inline(always)]
     pub(super) fn note_force(&self, _: usize, _: usize, _: f64) {}
     #[inline(always)]
-    pub(super) fn note_row(&self, _: usize, _: Places<'a>, _: (&[f64], f64)) {}
+    pub(super) fn note_row(&self, _: usize, _: Places<'a>, _: &[f64], _: f64) {}
 }

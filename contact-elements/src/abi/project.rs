@@ -72,7 +72,7 @@ pub unsafe fn element_project(
         None => Err(Error::missing(argument::ELEMENT)),
         Some(_) if result.is_null() => Err(Error::missing(argument::RESULT)),
         // SAFETY: promised by the caller.
-        Some(element) => unsafe { projected(element, arguments, reach, (result, history)) },
+        Some(element) => unsafe { projected(element, arguments, reach, result, history) },
     };
     (arguments.error_argument, arguments.error_index) = (argument::NONE, 0);
     match outcome {
@@ -89,7 +89,8 @@ unsafe fn projected(
     element: &Registered,
     arguments: &Arguments,
     reach: f64,
-    (result, history): (*mut Projection, *mut f64),
+    result: *mut Projection,
+    history: *mut f64,
 ) -> Result<(), Error> {
     if arguments.x.is_null() {
         return Err(Error::missing(argument::X));

@@ -140,7 +140,7 @@ pub fn evaluate(element: &Registered, evaluation: &mut Evaluation<'_>) -> Result
         energy: evaluation.energy,
     };
     let symmetrise = bits & request::SYMMETRISE != 0;
-    run(element, (&call, &nodes), memory, &mut target, symmetrise)
+    run(element, &call, &nodes, memory, &mut target, symmetrise)
 }
 
 /// Entries that are written one by one.
@@ -152,7 +152,8 @@ pub(crate) fn cells(values: &mut [f64]) -> &[Cell<f64>] {
 #[inline]
 pub(crate) fn run(
     element: &Registered,
-    (call, nodes): (&Call<'_>, &Nodes<'_>),
+    call: &Call<'_>,
+    nodes: &Nodes<'_>,
     memory: &mut [f64],
     target: &mut Target<'_>,
     symmetrise: bool,

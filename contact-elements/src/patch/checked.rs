@@ -80,7 +80,7 @@ impl<'a> Checked<'a> {
         let refused = Error::new(code::ELEMENT, argument::FACET, 0);
         let corners = facet_corners(facet).ok_or(refused)?;
         let at_corners = boundary::nodes_of_corners(facet, &corners).ok_or(refused)?;
-        check_lower(facet, &corners, (patch.edge, patch.vertex))?;
+        check_lower(facet, &corners, patch.edge, patch.vertex)?;
         let nodes = slaves.saturating_add(masters);
         if nodes.saturating_mul(facet.dimension) > MOST_UNKNOWNS {
             return Err(Error::new(code::NODE_COUNT, argument::NNODE, 0));
@@ -280,7 +280,8 @@ fn facet_corners(facet: &Descriptor) -> Option<Corners> {
 fn check_lower(
     facet: &Descriptor,
     corners: &Corners,
-    (edge, vertex): (Option<&Registered>, Option<&Registered>),
+    edge: Option<&Registered>,
+    vertex: Option<&Registered>,
 ) -> Result<(), Error> {
     let law = |element: &Descriptor, at: usize| {
         let own = element.parameters.get(..element.layout.tangential);

@@ -77,17 +77,18 @@ impl<'a> Pair<'a> {
         let largest = |top: f64, value: &f64| top.max(abs(*value));
         let size = tangents.iter().flatten().fold(0.0, largest);
         if place.feature != 0 && r.iter().fold(0.0, largest) <= ON_IT * size {
-            return Self::with(checked, slave, place, (1.0, Foot::OnFacet));
+            return Self::with(checked, slave, place, 1.0, Foot::OnFacet);
         }
         let side = side(checked, slave, place)?;
-        Self::with(checked, slave, place, (side, Foot::Free))
+        Self::with(checked, slave, place, side, Foot::Free)
     }
 
     fn with(
         checked: &Checked<'a>,
         slave: usize,
         place: &ClosestPlace,
-        (side, foot): (f64, Foot),
+        side: f64,
+        foot: Foot,
     ) -> Result<Option<Self>, Error> {
         let nodes = checked.of_facet(place.facet);
         let at = |node: usize| nodes.get(node).copied().unwrap_or(0);
@@ -171,7 +172,7 @@ impl<'a> Pair<'a> {
         };
         let feet = [Foot::Free, Foot::Given, Foot::OnFacet];
         let foot = feet.into_iter().find(|own| f64::from(*own as u8) == foot);
-        Self::with(checked, slave, &place, (side, foot.unwrap_or(Foot::Free)))
+        Self::with(checked, slave, &place, side, foot.unwrap_or(Foot::Free))
     }
 
     /// Evaluates the pair. `bits` holds the requested outputs and FREEZE_STATE.
@@ -280,7 +281,7 @@ impl<'a> Pair<'a> {
             history: &[],
             energy: first(&mut energy, length(request::ENERGY, 1)),
         };
-        let result = run(element, (&call, &nodes), &mut [], &mut target, false);
+        let result = run(element, &call, &nodes, &mut [], &mut target, false);
         answer.energy = energy[0];
         result
     }

@@ -234,7 +234,7 @@ impl<'a> Round<'a> {
         let shape = work.shape.part(part.count);
         let arrays = work.arrays.part(&work.shape, part.first, part.count);
         let map = work.map.get(part.first * shape.map_size()..);
-        let from = (part.first, map.unwrap_or_default(), self.nodes(part));
+        let (map, nodes) = (map.unwrap_or_default(), self.nodes(part));
         let ownership = match &self.owners {
             // SAFETY: journal and marks live until the part is done, and nothing else refers to the journal.
             Some(owners) => unsafe {
@@ -243,11 +243,13 @@ impl<'a> Round<'a> {
             None => Ownership::FREE,
         };
         // SAFETY: promised by the caller of the batch.
-        let mut outputs = unsafe { Pointers::new(&shape, work.batch, from, ownership) };
+        let mut outputs =
+            unsafe { Pointers::new(&shape, work.batch, part.first, map, nodes, ownership) };
         let memory = &mut part.workspace;
         part.failures = evaluate(
             work.element,
-            (&shape, &arrays),
+            &shape,
+            &arrays,
             &mut outputs,
             memory,
             self.width,

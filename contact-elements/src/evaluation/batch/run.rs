@@ -94,8 +94,10 @@ impl core::fmt::Debug for Run<'_> {
 
 impl<'a> Run<'a> {
     pub(crate) fn new(
-        (kernel, screen): (Kernel, Option<ScreenKernel>),
-        (shape, arrays): (&'a Shape<'a>, &'a Arrays<'a>),
+        kernel: Kernel,
+        screen: Option<ScreenKernel>,
+        shape: &'a Shape<'a>,
+        arrays: &'a Arrays<'a>,
         outputs: &'a mut dyn Outputs,
         memory: &'a mut [f64],
     ) -> Self {

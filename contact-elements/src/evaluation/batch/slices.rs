@@ -139,8 +139,8 @@ pub fn evaluate_batch(element: &Registered, batch: &mut Batch<'_>) -> Result<(),
         sums: &sums,
     };
     let memory = scratch(batch.workspace, element.workspace(shape.nodes))?;
-    let kernels = (element.kernel, element.screen);
-    let mut run = Run::new(kernels, (&shape, &arrays), &mut outputs, memory);
+    let (kernel, screen) = (element.kernel, element.screen);
+    let mut run = Run::new(kernel, screen, &shape, &arrays, &mut outputs, memory);
     match element.lanes {
         Some(kernel) if count > 1 => kernel(&mut run, Width::widest()),
         _ => one_by_one(&mut run),

@@ -53,7 +53,7 @@ pub unsafe fn history_transfer(
         (to_history.is_null(), argument::TO_HISTORY),
     ];
     let slice = core::slice::from_raw_parts;
-    // promised by the caller; no pointer is null.
+    // SAFETY: promised by the caller; no pointer is null.
     let result = check(&pointers).and_then(|()| unsafe {
         let (from, to) = (&*from, &*to);
         let left = Left {
@@ -87,7 +87,7 @@ pub unsafe fn history_augment(
         (trial.is_null(), argument::HISTORY_TRIAL),
         (accepted.is_null(), argument::HISTORY_ACCEPTED),
     ];
-    // promised by the caller; no pointer is null.
+    // SAFETY: promised by the caller; no pointer is null.
     let result = check(&pointers).and_then(|()| unsafe {
         let element = &*element;
         let trial = core::slice::from_raw_parts(trial, element.history());

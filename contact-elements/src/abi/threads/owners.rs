@@ -12,7 +12,7 @@ pub(super) struct Owners {
     layout: Layout,
 }
 
-// the marks are separate atomic numbers.
+// SAFETY: the marks are separate atomic numbers.
 unsafe impl Sync for Owners {}
 
 impl Owners {

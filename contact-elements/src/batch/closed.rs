@@ -74,6 +74,7 @@ fn pack<T: Wide, const K: usize>(columns: &[Column; K], slots: &[u8; 8]) -> [T; 
 }
 
 /// The records of some closed contacts; false where one of them leaves the common path.
+// long: a list of steps on the same lanes, which all decide whether the group stays on the common path
 #[inline(always)]
 fn coefficients<
     E: Element<D, P, H>,

@@ -65,6 +65,7 @@ pub(crate) fn project<
     found
 }
 
+// long: one loop, whose conditions to end share all that a step computes
 #[inline(always)]
 fn newton<E: Element<D, P, H>, T: Wide, const D: usize, const P: usize, const H: usize>(
     x: &[[T; D]],

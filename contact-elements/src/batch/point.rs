@@ -64,6 +64,7 @@ fn start<
 }
 
 /// First pass over the lanes from `group` on: projection, gap, open or closed.
+// long: a list of steps, each of which narrows the same mask
 #[inline(always)]
 pub(crate) fn classify<
     E: Element<D, P, H>,

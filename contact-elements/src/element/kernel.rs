@@ -10,6 +10,20 @@ use crate::element::traits::Element;
 use crate::point::friction::TangentialLaw;
 use crate::point::values::Rows;
 
+/// Refuses a history that no evaluation writes, and edges of which nobody says on which side they are.
+#[inline(always)]
+fn check_history<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
+    call: &Call<'_>,
+) -> Result<(), InputError> {
+    match call.history {
+        Some(history) => Ok(E::HISTORY_LAYOUT.check(&E::REACH, &history)?),
+        None if E::KEEPS_SIDE && !is_side_given::<E, D, P, H>(call.parameters) => {
+            Err(InputError::NoHistory)
+        }
+        None => Ok(()),
+    }
+}
+
 /// Kernel of an element with N nodes and Q points; W ≥ D·N is the length of the scratch rows.
 #[inline(always)]
 pub fn fixed<
@@ -27,13 +41,7 @@ pub fn fixed<
     vectors: &[bool],
     receiver: &mut R,
 ) -> Result<Summary, InputError> {
-    match call.history {
-        Some(history) => E::HISTORY_LAYOUT.check(&E::REACH, &history)?,
-        None if E::KEEPS_SIDE && !is_side_given::<E, D, P, H>(call.parameters) => {
-            return Err(InputError::NoHistory);
-        }
-        None => {}
-    }
+    check_history::<E, D, P, H>(call)?;
     let mut x = [[0.0; D]; N];
     let mut reference = [[0.0; D]; N];
     let is_vector = |a: usize| vectors.get(a).copied().unwrap_or(false);
@@ -95,6 +103,53 @@ const fn row_width(unknowns: usize, friction: bool) -> usize {
     }
 }
 
+/// Positions and scratch of an element whose slave row comes with the call.
+struct Scratch<'m, const D: usize, const P: usize, const H: usize> {
+    x: &'m mut [[f64; D]],
+    rows: Rows<'m, P>,
+    temporaries: Temporaries<'m, D, P>,
+    tangential: TangentialRows<'m, H>,
+}
+
+/// The workspace as scratch for `n` nodes, all zero; `None` where it is too small.
+#[inline(always)]
+fn divided<const D: usize, const P: usize, const H: usize>(
+    memory: &mut [f64],
+    n: usize,
+    friction: bool,
+) -> Option<Scratch<'_, D, P, H>> {
+    let mut rest = memory.get_mut(..workspace(n, D, P, friction))?;
+    rest.fill(0.0);
+    let mut take = |length: usize| -> &mut [f64] {
+        let (head, tail) = core::mem::take(&mut rest)
+            .split_at_mut_checked(length)
+            .unwrap_or((&mut [], &mut []));
+        rest = tail;
+        head
+    };
+    let width = row_width(n * D, friction);
+    let (nodes_more, unknowns_more) = if friction { (n, width) } else { (0, 0) };
+    let (x, _) = take(n * D).as_chunks_mut::<D>();
+    Some(Scratch {
+        x,
+        rows: Rows {
+            s: take(n),
+            ds: core::array::from_fn(|_| take(n)),
+        },
+        temporaries: Temporaries {
+            u: core::array::from_fn(|_| take(width)),
+            g: core::array::from_fn(|_| take(width)),
+            h: take(width),
+            row: take(width),
+        },
+        tangential: TangentialRows {
+            second: core::array::from_fn(|_| take(nodes_more)),
+            slave: take(nodes_more),
+            columns: take(2 * (P + D) * unknowns_more),
+        },
+    })
+}
+
 /// Kernel of an element whose slave row comes with the call; its scratch comes from `memory`.
 #[inline(always)]
 pub fn interpolated<
@@ -110,9 +165,7 @@ pub fn interpolated<
     memory: &mut [f64],
     receiver: &mut R,
 ) -> Result<Summary, InputError> {
-    if let Some(history) = call.history {
-        E::HISTORY_LAYOUT.check(&E::REACH, &history)?;
-    }
+    check_history::<E, D, P, H>(call)?;
     for (index, &value) in call.slave_row.iter().enumerate() {
         if !is_usable(value) {
             return Err(InputError::SlaveRow(index));
@@ -127,36 +180,12 @@ pub fn interpolated<
     if E::MULTIPLIER {
         multipliers(nodes, n, &mut unknown)?;
     }
-    let mut rest = memory
-        .get_mut(..workspace(n, D, P, E::Tangential::ACTIVE))
-        .ok_or(InputError::Workspace)?;
-    for value in rest.iter_mut() {
-        *value = 0.0;
-    }
-    let mut take = |length: usize| -> &mut [f64] {
-        let (head, tail) = core::mem::take(&mut rest)
-            .split_at_mut_checked(length)
-            .unwrap_or((&mut [], &mut []));
-        rest = tail;
-        head
-    };
-    let (x, _) = take(n * D).as_chunks_mut::<D>();
-    let s = take(n);
-    let ds = core::array::from_fn(|_| take(n));
-    let width = row_width(n * D, E::Tangential::ACTIVE);
-    let u = core::array::from_fn(|_| take(width));
-    let g = core::array::from_fn(|_| take(width));
-    let (h, row) = (take(width), take(width));
-    let (nodes_more, unknowns_more) = if E::Tangential::ACTIVE {
-        (n, width)
-    } else {
-        (0, 0)
-    };
-    let tangential = TangentialRows {
-        second: core::array::from_fn(|_| take(nodes_more)),
-        slave: take(nodes_more),
-        columns: take(2 * (P + D) * unknowns_more),
-    };
+    let Scratch {
+        x,
+        rows,
+        temporaries,
+        tangential,
+    } = divided(memory, n, E::Tangential::ACTIVE).ok_or(InputError::Workspace)?;
     let first_master = n.saturating_sub(E::MASTER_NODES);
     let is_vector = |a: usize| {
         let master = a.checked_sub(first_master);
@@ -171,8 +200,8 @@ pub fn interpolated<
         x,
         reference: &[],
         multipliers: &unknown,
-        rows: Rows { s, ds },
-        temporaries: Temporaries { u, g, h, row },
+        rows,
+        temporaries,
         variation: &mut [],
         tangential,
     };

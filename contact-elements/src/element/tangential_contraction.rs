@@ -265,6 +265,7 @@ impl<const P: usize> FourNodes<P> {
 }
 
 /// Four entries of u_k, s_B δ_kl, g_j and Z_q: part `PART` of four nodes, from unknown `start` on.
+// long: the sums of the file's head, term by term
 #[inline(always)]
 fn columns_of<
     const PART: usize,

@@ -146,6 +146,7 @@ struct Found<const D: usize, const P: usize, const H: usize> {
     vectors: Option<Vectors<D, P, H>>,
 }
 
+// long: one loop, whose conditions to end share all that a step computes
 #[inline(always)]
 fn newton<E: Element<D, P, H>, const D: usize, const P: usize, const H: usize>(
     x: &[[f64; D]],

@@ -33,7 +33,6 @@ pub mod laws;
 mod messages;
 mod patch;
 mod point;
-pub mod program;
 mod project;
 mod registered;
 pub mod runtime;

@@ -1,8 +1,7 @@
 //! Which oracle geometry and law each name of the built-in library is.
 
-use contact_elements::program::{
-    AxisDescription, ElementDescription, MasterDescription, SlaveDescription,
-};
+use contact_elements::ElementDescription;
+use contact_elements::table::{AxisDescription, MasterDescription, SlaveDescription};
 
 use crate::oracle::geometry::{
     DeclaredSurface, Interpolation, Placement, Region, RigidDistance, RigidParametric, Shape,

@@ -2,9 +2,8 @@
 
 mod text;
 
-use contact_elements::program::{
-    ElementDescription, GeometryPrograms, MasterDescription, Program, SlaveDescription,
-};
+use contact_elements::ElementDescription;
+use contact_elements::table::{GeometryPrograms, MasterDescription, SlaveDescription, Table};
 use serde::Serialize;
 
 use crate::progress::Stage;
@@ -256,7 +255,7 @@ impl Certificate {
 /// The programs of an element, those of its geometries and laws among them.
 fn programs(subject: &Subject) -> Vec<ProgramCost> {
     let cost = |owner: &'static str| {
-        move |program: &Program| ProgramCost {
+        move |program: &Table| ProgramCost {
             owner,
             program: program.name,
             operations: program.cost,

@@ -2,7 +2,7 @@
 //! derivatives, and with one term of a linearisation changed.
 
 use contact_elements::arithmetic;
-use contact_elements::program::{Operation, Program};
+use contact_elements::table::{Operation, Table};
 use num_dual::{Dual64, DualNum};
 
 /// Numbers a program can be interpreted over.
@@ -133,7 +133,7 @@ pub struct Change {
 }
 
 /// Values of the outputs. Inputs that are missing count as 0.
-pub fn interpret<T: Arithmetic>(program: &Program, inputs: &[T], change: Option<Change>) -> Vec<T> {
+pub fn interpret<T: Arithmetic>(program: &Table, inputs: &[T], change: Option<Change>) -> Vec<T> {
     let zero = T::constant(0.0);
     let mut values: Vec<T> = Vec::with_capacity(program.operations.len());
     for operation in program.operations {

@@ -3,10 +3,8 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use contact_elements::abi::{
-    Batch, Sparse, csr_blocks, csr_map, element_evaluate_batch, element_evaluate_batch_threads,
-    request,
-};
+use contact_elements::abi::{Batch, Sparse, csr_blocks, csr_map, element_evaluate_batch, element_evaluate_batch_threads};
+use contact_elements::request;
 use contact_library::PointQuad4;
 
 use crate::random::Random;

@@ -2,10 +2,9 @@
 
 use std::hint::black_box;
 
-use contact_elements::abi::{
-    Arguments, Batch, OUTPUT_SIZE, element_evaluate, element_evaluate_batch_in, request,
-};
+use contact_elements::abi::{Arguments, Batch, element_evaluate, element_evaluate_batch_in};
 use contact_elements::runtime::Width;
+use contact_elements::{OUTPUT_SIZE, request};
 use contact_library::PointQuad4;
 
 use crate::states::States;

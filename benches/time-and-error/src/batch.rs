@@ -2,7 +2,8 @@
 
 use std::hint::black_box;
 
-use contact_elements::abi::{Batch, Descriptor, code, element_evaluate_batch, request};
+use contact_elements::abi::{Batch, element_evaluate_batch};
+use contact_elements::{Registered, code, request};
 use contact_verify::configurations::Wanted;
 
 use crate::Failure;
@@ -23,7 +24,7 @@ const CONTACTS: usize = 128;
 
 /// Arrays of a batch.
 struct Arrays {
-    descriptor: &'static Descriptor,
+    descriptor: &'static Registered,
     count: usize,
     x: Vec<f64>,
     parameters: Vec<f64>,

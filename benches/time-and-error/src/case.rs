@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use contact_elements::abi::{Descriptor, Evaluation, Outcome, evaluate, request};
+use contact_elements::{Error, Evaluation, Registered, Summary, evaluate, request};
 use contact_verify::configurations::Configuration;
 use contact_verify::subject::Subject;
 
@@ -12,7 +12,7 @@ use crate::Failure;
 #[derive(Clone, Debug)]
 pub struct Case {
     /// The element.
-    pub descriptor: &'static Descriptor,
+    pub descriptor: &'static Registered,
     /// Positions of all nodes.
     pub x: Vec<f64>,
     /// Displacements; empty: zero.
@@ -99,7 +99,7 @@ impl Case {
     }
 
     /// Evaluates; the outputs are kept from the optimiser.
-    pub fn evaluate(&self, request: Request, answer: &mut Answer) -> Outcome {
+    pub fn evaluate(&self, request: Request, answer: &mut Answer) -> Result<Summary, Error> {
         let outcome = evaluate(
             self.descriptor,
             &mut Evaluation {
@@ -144,8 +144,8 @@ impl Case {
                 ..Evaluation::default()
             },
         );
-        if outcome.code != 0 {
-            return Err(format!("{}: {outcome:?}", self.name()).into());
+        if let Err(error) = outcome {
+            return Err(format!("{}: {error}", self.name()).into());
         }
         // friction is judged from what was accepted, only the projection is taken over
         let mut projected = self.clone();

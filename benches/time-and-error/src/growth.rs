@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use contact_bench_elements as own;
-use contact_elements::abi::Descriptor;
+use contact_elements::Registered;
 use contact_library as elements;
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -139,7 +139,7 @@ fn label(case: &Case) -> String {
     }
 }
 
-fn cases(descriptor: &'static Descriptor, slave: Slave) -> Result<Vec<Case>, Failure> {
+fn cases(descriptor: &'static Registered, slave: Slave) -> Result<Vec<Case>, Failure> {
     let mut random = Pcg64Mcg::seed_from_u64(3);
     (0..STATES)
         .map(|_| state(descriptor, slave, &mut random))
@@ -148,7 +148,7 @@ fn cases(descriptor: &'static Descriptor, slave: Slave) -> Result<Vec<Case>, Fai
 
 /// A closed state near a plane one.
 fn state(
-    descriptor: &'static Descriptor,
+    descriptor: &'static Registered,
     slave: Slave,
     random: &mut Pcg64Mcg,
 ) -> Result<Case, Failure> {
@@ -183,7 +183,7 @@ fn state(
     };
     let case = case.projected()?;
     let outcome = case.evaluate(Request::GIVEN, &mut Answer::of(&case));
-    if outcome.code == 0 && outcome.closed == 1 {
+    if outcome.is_ok_and(|summary| summary.closed == 1) {
         Ok(case)
     } else {
         Err(format!("{}: {outcome:?}", case.name()).into())

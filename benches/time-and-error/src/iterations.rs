@@ -109,7 +109,7 @@ fn errors<const N: usize>(states: &[State<N>], cases: &[Case]) -> Vec<[f64; 2]> 
     let one = |(state, case): (&State<N>, &Case)| {
         let mut answer = Answer::of(case);
         let outcome = case.evaluate(Request::GIVEN, &mut answer);
-        if outcome.code != 0 {
+        if outcome.is_err() {
             return [f64::INFINITY; 2];
         }
         state.truth.errors(&answer.residual, &answer.tangent)

@@ -6,7 +6,7 @@
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use contact_bench_elements as own;
-use contact_elements::abi::Descriptor;
+use contact_elements::Registered;
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -17,7 +17,7 @@ use crate::report::{Chart, Section, Series, spread};
 use crate::timing::{Effort, Spread, in_turns};
 
 /// Elements by points per direction.
-const SPHERE: [(usize, &Descriptor); 8] = [
+const SPHERE: [(usize, &Registered); 8] = [
     (1, own::Quad4Sphere1::DESCRIPTOR),
     (2, own::Quad4Sphere2::DESCRIPTOR),
     (3, own::Quad4Sphere3::DESCRIPTOR),
@@ -27,7 +27,7 @@ const SPHERE: [(usize, &Descriptor); 8] = [
     (8, own::Quad4Sphere8::DESCRIPTOR),
     (10, own::Quad4Sphere10::DESCRIPTOR),
 ];
-const CYLINDER: [(usize, &Descriptor); 8] = [
+const CYLINDER: [(usize, &Registered); 8] = [
     (1, own::Quad4Cylinder1::DESCRIPTOR),
     (2, own::Quad4Cylinder2::DESCRIPTOR),
     (3, own::Quad4Cylinder3::DESCRIPTOR),
@@ -62,7 +62,7 @@ impl Body {
         }
     }
 
-    fn elements(self) -> &'static [(usize, &'static Descriptor)] {
+    fn elements(self) -> &'static [(usize, &'static Registered)] {
         match self {
             Self::Sphere => &SPHERE,
             Self::Cylinder | Self::Covered => &CYLINDER,
@@ -183,7 +183,7 @@ fn times(body: Body, effort: &Effort) -> Vec<Spread> {
 
 /// A square facet.
 fn facet(
-    descriptor: &'static Descriptor,
+    descriptor: &'static Registered,
     parameters: Vec<f64>,
     corner: [f64; 2],
     side: f64,
@@ -216,7 +216,7 @@ fn facet(
 fn errors(
     body: Body,
     mesh: usize,
-    element: &'static Descriptor,
+    element: &'static Registered,
     states: u64,
 ) -> Result<Vec<f64>, Failure> {
     let mut random = Pcg64Mcg::seed_from_u64(7);
@@ -234,7 +234,7 @@ fn errors(
             let case = facet(element, body.parameters(penetration, x, y), corner, side);
             let mut answer = Answer::of(&case);
             let outcome = case.evaluate(Request::RESIDUAL, &mut answer);
-            if outcome.code != 0 {
+            if outcome.is_err() {
                 return Err(format!("{}: {outcome:?}", case.name()).into());
             }
             total -= answer.residual.iter().skip(2).step_by(3).sum::<f64>();

@@ -1,7 +1,7 @@
 //! What is gained by leaving work out.
 
 use contact_bench_elements::PointCylinderByNewton;
-use contact_elements::abi::request;
+use contact_elements::request;
 use contact_verify::configurations::Wanted;
 
 use crate::Failure;

@@ -63,7 +63,7 @@ impl Catalogue {
 fn checked(case: Case, wanted: Wanted) -> Result<Case, Failure> {
     let mut answer = Answer::of(&case);
     let outcome = case.evaluate(Request::RESIDUAL, &mut answer);
-    if outcome.code == 0 && (outcome.closed > 0) == wanted.is_closed() {
+    if outcome.is_ok_and(|summary| (summary.closed > 0) == wanted.is_closed()) {
         Ok(case)
     } else {
         Err(format!("{}: {outcome:?}", case.name()).into())

@@ -1,9 +1,10 @@
 //! The table of all functions: `cte_api_table`.
 
+use super::VERSION;
 use super::patch::Patch;
 use super::project::Projection;
 use super::types::{Arguments, Batch, Info};
-use super::{VERSION, code};
+use crate::codes::code;
 use crate::registered::Registered;
 
 /// `cte_api_table`.

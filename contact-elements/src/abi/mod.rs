@@ -23,11 +23,7 @@ mod threads;
 mod types;
 mod versioned;
 
-pub use crate::codes::{argument, code, kind, request};
-pub use crate::descriptor::Parameter;
-pub use crate::element::receiver::OUTPUT_SIZE;
-pub use crate::evaluation::{Run, Target};
-pub use crate::registered::{Registered, Registered as Descriptor};
+pub use crate::registered::Registered;
 pub use api_table::{ApiTable, api};
 pub use batch::{element_batch_workspace, element_evaluate_batch, element_evaluate_batch_in};
 pub use csr::{Sparse, csr_blocks, csr_map};

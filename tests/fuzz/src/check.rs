@@ -6,7 +6,7 @@ use crate::memory::{CANARY, Output};
 use crate::numbers::NUMBERS;
 
 /// Entries of output per contact point.
-pub const OUTPUT_SIZE: usize = contact_elements::abi::OUTPUT_SIZE;
+pub const OUTPUT_SIZE: usize = contact_elements::OUTPUT_SIZE;
 
 /// Nothing was written.
 pub fn untouched(name: &str, output: &Output<f64>) -> Result<(), String> {

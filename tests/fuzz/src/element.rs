@@ -2,7 +2,8 @@
 
 use std::ffi::CStr;
 
-use contact_elements::abi::{Descriptor, Info};
+use contact_elements::Registered;
+use contact_elements::abi::Info;
 
 use crate::interface::Interface;
 
@@ -18,7 +19,7 @@ pub struct Element {
     /// Its name.
     pub name: String,
     /// The opaque pointer.
-    pub pointer: *const Descriptor,
+    pub pointer: *const Registered,
     /// `cte_info` of the smallest call.
     pub info: Info,
     /// Parameters in order.
@@ -138,7 +139,7 @@ impl Element {
 /// `cte_element_info` of a valid call.
 pub(crate) fn info(
     interface: &Interface,
-    element: *const Descriptor,
+    element: *const Registered,
     nnode: i32,
 ) -> Result<Info, String> {
     let mut info = Info::EMPTY;
@@ -149,7 +150,7 @@ pub(crate) fn info(
     }
 }
 
-fn range(interface: &Interface, element: *const Descriptor, index: i32) -> Result<Range, String> {
+fn range(interface: &Interface, element: *const Registered, index: i32) -> Result<Range, String> {
     let (mut name, mut unit) = (std::ptr::null(), std::ptr::null());
     let (mut lower, mut upper, mut closed) = (0.0, 0.0, 0);
     // SAFETY: every output has its type.

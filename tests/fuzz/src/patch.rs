@@ -2,7 +2,8 @@
 
 use std::ptr::{null, null_mut};
 
-use contact_elements::abi::{Descriptor, Info, Patch};
+use contact_elements::Registered;
+use contact_elements::abi::{Info, Patch};
 
 use crate::called::{Outcome, make};
 use crate::check::{INFO_IN_0_1, PATCH_IN_0_1, is_refused, is_usable};
@@ -155,7 +156,7 @@ fn check_info(harness: &Harness, facets: &Facets, info: &Info) -> Checked {
 fn place(harness: &mut Harness, facets: &Facets, edge: Edge) -> *const Patch {
     let [facet, lower, vertex] = facets
         .elements
-        .map(|at| at.map_or(null::<Descriptor>(), |at| harness.elements[at].pointer));
+        .map(|at| at.map_or(null::<Registered>(), |at| harness.elements[at].pointer));
     let [slave_points, master_nodes, count] = facets.counts;
     let connectivity = harness.slots.connectivity.input(&facets.connectivity, edge);
     let whole = size_of::<Patch>();

@@ -6,7 +6,8 @@ use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
 
 use clap::ValueEnum;
-use contact_elements::abi::{Arguments, Descriptor};
+use contact_elements::Registered;
+use contact_elements::abi::Arguments;
 
 use crate::check::{ARGUMENTS_IN_0_1, is_refused};
 use crate::interface::Interface;
@@ -51,7 +52,7 @@ pub enum Sabotage {
     Hang,
 }
 
-type Evaluate = unsafe extern "C" fn(*const Descriptor, *mut Arguments) -> i32;
+type Evaluate = unsafe extern "C" fn(*const Registered, *mut Arguments) -> i32;
 
 static GOOD: OnceLock<(Evaluate, Sabotage)> = OnceLock::new();
 static CALLS: AtomicU64 = AtomicU64::new(0);
@@ -65,7 +66,7 @@ pub fn sabotaged(mut interface: Interface, sabotage: Sabotage) -> Interface {
 }
 
 /// The good evaluation, and then harm.
-unsafe extern "C" fn evaluate(element: *const Descriptor, arguments: *mut Arguments) -> i32 {
+unsafe extern "C" fn evaluate(element: *const Registered, arguments: *mut Arguments) -> i32 {
     let Some((good, sabotage)) = GOOD.get() else {
         return 0;
     };

@@ -1,11 +1,12 @@
 //! Random contacts of one element: good ones, and some that cannot be evaluated.
 
-use contact_elements::abi::{Descriptor, Sparse, csr_blocks, csr_map, element_history_init};
+use contact_elements::Registered;
+use contact_elements::abi::{Sparse, csr_blocks, csr_map, element_history_init};
 use contact_tests::random::Random;
 
 /// Inputs of some contacts of one element.
 pub struct Contacts {
-    pub element: &'static Descriptor,
+    pub element: &'static Registered,
     pub count: usize,
     pub nodes: usize,
     pub x: Vec<f64>,
@@ -20,7 +21,7 @@ pub struct Contacts {
 }
 
 /// Where the nodes are before they are moved: slave first.
-fn layout(element: &Descriptor) -> Vec<[f64; 3]> {
+fn layout(element: &Registered) -> Vec<[f64; 3]> {
     const QUAD: [[f64; 2]; 5] = [
         [0.0, 0.0],
         [-1.0, -1.0],
@@ -54,7 +55,7 @@ fn layout(element: &Descriptor) -> Vec<[f64; 3]> {
 }
 
 impl Contacts {
-    pub fn new(element: &'static Descriptor, count: usize, seed: u64) -> Self {
+    pub fn new(element: &'static Registered, count: usize, seed: u64) -> Self {
         let mut random = Random(seed);
         let base = layout(element);
         let mut contacts = Self {

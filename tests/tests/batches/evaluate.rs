@@ -1,7 +1,8 @@
 //! A batch in one form of call, with all its outputs.
 
-use contact_elements::abi::{Batch, OUTPUT_SIZE, element_evaluate_batch_in, request};
+use contact_elements::abi::{Batch, element_evaluate_batch_in};
 use contact_elements::runtime::Width;
+use contact_elements::{OUTPUT_SIZE, request};
 
 use crate::contacts::Contacts;
 

@@ -5,7 +5,7 @@ mod contacts;
 mod evaluate;
 mod screen;
 
-use contact_elements::abi::Descriptor;
+use contact_elements::Registered;
 use contact_elements::runtime::Width;
 use contact_library::{ELEMENTS, Line2Line2Beams, PointQuad4, PointQuad9, PointTri3};
 use contacts::Contacts;
@@ -27,7 +27,7 @@ fn ways(form: Form, count: usize) -> Vec<(usize, bool)> {
     ways
 }
 
-fn check(element: &'static Descriptor) {
+fn check(element: &'static Registered) {
     let (mut good, mut failed, mut kinds) = (0, 0, [0; 9]);
     for (round, form) in forms().into_iter().enumerate() {
         for seed in 0..if form.scattered { 2 } else { 12 } {

@@ -1,7 +1,7 @@
 //! `CTE_SCREEN`: what is left out is open, whatever its projection; everything else is as without.
 
-use contact_elements::abi::{Descriptor, OUTPUT_SIZE, request};
 use contact_elements::runtime::Width;
+use contact_elements::{OUTPUT_SIZE, Registered, request};
 use contact_library::ELEMENTS;
 
 use crate::contacts::Contacts;
@@ -190,7 +190,7 @@ impl Tally {
     }
 }
 
-fn check(element: &'static Descriptor) -> Tally {
+fn check(element: &'static Registered) -> Tally {
     let mut tally = Tally::default();
     let offered = |form: &Form| Form {
         request: form.request & element.requests(),

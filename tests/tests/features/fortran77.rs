@@ -1,6 +1,7 @@
 //! What the Fortran 77 door checks on its own: here the leading dimension of K.
 
-use contact_elements::abi::{code, fortran, request};
+use contact_elements::abi::fortran;
+use contact_elements::{code, request};
 use contact_library::PointPoint2d;
 
 /// Two discs of radius 1 at distance 1.5: return code and residual.

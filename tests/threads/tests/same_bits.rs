@@ -4,10 +4,8 @@ mod mesh;
 #[path = "../../src/random.rs"]
 mod random;
 
-use contact_elements::abi::{
-    Batch, Descriptor, OUTPUT_SIZE, argument, code, element_batch_workspace,
-    element_evaluate_batch, element_evaluate_batch_threads, request,
-};
+use contact_elements::abi::{Batch, element_batch_workspace, element_evaluate_batch, element_evaluate_batch_threads};
+use contact_elements::{Registered, OUTPUT_SIZE, argument, code, request};
 use contact_threads_test::{Alone, Facets, Interpolated, Lanes, Multiplied};
 use mesh::Mesh;
 
@@ -194,7 +192,7 @@ fn differing(one: &Outputs, many: &Outputs) -> Option<(&'static str, usize)> {
 }
 
 /// A grid in order and shuffled, so that few and that most entries are shared; `counts`: one round and several.
-fn check(element: &'static Descriptor, counts: [usize; 2]) {
+fn check(element: &'static Registered, counts: [usize; 2]) {
     for (count, is_shuffled) in counts.into_iter().flat_map(|n| [(n, false), (n, true)]) {
         let mesh = Mesh::new(element, count, is_shuffled);
         for form in FORMS {

@@ -4,7 +4,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use contact_elements::program::{ElementDescription, SlaveDescription};
+use contact_elements::ElementDescription;
+use contact_elements::table::{SlaveDescription};
 use contact_verify::certify::{Extent, certify};
 use contact_verify::oracle::geometry::{
     DeclaredDistance, DeclaredShape, DeclaredSurface, Interpolation, Placement, Region,

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use comfy_table::{Cell, CellAlignment, Table, presets};
-use contact_elements::program::{MasterDescription, SlaveDescription};
+use contact_elements::table::{MasterDescription, SlaveDescription};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::proof::global::{self, Effort, Extent, Global, Local};

@@ -3,8 +3,8 @@
 mod inputs;
 mod sliding;
 
-use contact_elements::program::{
-    GeometryPrograms, LawPrograms, MasterDescription, Program, SlaveDescription,
+use contact_elements::table::{
+    GeometryPrograms, LawPrograms, MasterDescription, SlaveDescription, Table,
     TangentialLawPrograms,
 };
 
@@ -104,7 +104,7 @@ pub fn prove(subjects: &[Subject], seed: u64) -> Finding {
     finding
 }
 
-fn bits(finding: &mut Finding, owner: &str, program: &Program, seed: u64) {
+fn bits(finding: &mut Finding, owner: &str, program: &Table, seed: u64) {
     for index in 0..TRIES {
         let inputs = inputs(program, seed, index);
         let table = interpret(program, &inputs, None);
@@ -125,7 +125,7 @@ fn bits(finding: &mut Finding, owner: &str, program: &Program, seed: u64) {
 }
 
 /// Number of outputs whose names begin with `prefix_`.
-fn count(program: &Program, prefix: &str) -> usize {
+fn count(program: &Table, prefix: &str) -> usize {
     let is_block = |name: &str| {
         name.strip_prefix(prefix).is_some_and(|rest| {
             rest.starts_with('_') && rest[1..].starts_with(|c: char| c.is_ascii_digit())
@@ -178,7 +178,7 @@ fn geometry_derivatives(finding: &mut Finding, geometry: &GeometryPrograms, seed
 }
 
 /// Number of parameters: from the count of derivative blocks.
-fn coordinates(program: &Program) -> usize {
+fn coordinates(program: &Table) -> usize {
     let width = count(program, "n").max(count(program, "rho"));
     let first = count(program, "d1").max(count(program, "rho_i"));
     first / width.max(1)
@@ -232,7 +232,7 @@ mod tests {
     /// A table whose constant is off by one unit in its last place is noticed.
     #[test]
     fn a_wrong_table_is_noticed() {
-        use contact_elements::program::Operation;
+        use contact_elements::table::Operation;
         let good = contact_elements::geometry::GEOMETRIES[0].values;
         let mut finding = Finding::default();
         bits(&mut finding, "good", &good, 1);
@@ -247,7 +247,7 @@ mod tests {
                 other => other,
             })
             .collect();
-        let bad = Program {
+        let bad = Table {
             operations: Box::leak(changed.into_boxed_slice()),
             ..good
         };

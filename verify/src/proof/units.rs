@@ -1,8 +1,8 @@
 //! Change of units: lengths in millimetres instead of metres, forces as they are. Every parameter is
 //! converted by its declared unit, so that a wrong unit is noticed too.
 
-use contact_elements::program::{GeometryPrograms, MasterDescription};
 use contact_elements::runtime::Status;
+use contact_elements::table::{GeometryPrograms, MasterDescription};
 use contact_elements::{OUTPUT_SIZE, Parameter};
 
 use crate::configurations::Configuration;

@@ -7,7 +7,7 @@ mod programs;
 
 pub use call::{Answer, Input, UNTOUCHED, Wanted};
 
-use contact_elements::program::ElementDescription;
+use contact_elements::ElementDescription;
 use contact_elements::runtime::Enforcement;
 
 use crate::catalogue::{self, CIRCLE_RADIUS, UnknownName};

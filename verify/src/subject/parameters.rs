@@ -1,6 +1,6 @@
 //! The parameter list of an element for the numbers of an oracle's pair.
 
-use contact_elements::program::SlaveDescription;
+use contact_elements::table::SlaveDescription;
 
 use super::Subject;
 use crate::oracle::geometry::{Placement, RigidDistance, RigidParametric};

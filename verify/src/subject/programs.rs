@@ -1,6 +1,6 @@
 //! The programs of an element.
 
-use contact_elements::program::Program;
+use contact_elements::table::Program;
 
 use super::Subject;
 

@@ -9,7 +9,7 @@ use crate::model::Model;
 pub fn emit_lists(model: &Model) -> TokenStream {
     let geometries = list(
         "GEOMETRIES",
-        "GeometryPrograms",
+        quote! { table::GeometryPrograms },
         model.geometries.iter().map(|geometry| {
             let name = &geometry.name;
             quote! { #name::PROGRAMS }
@@ -17,7 +17,7 @@ pub fn emit_lists(model: &Model) -> TokenStream {
     );
     let laws = list(
         "LAWS",
-        "LawPrograms",
+        quote! { table::LawPrograms },
         model.laws.iter().map(|law| {
             let name = &law.name;
             quote! { &#name::PROGRAMS }
@@ -25,7 +25,7 @@ pub fn emit_lists(model: &Model) -> TokenStream {
     );
     let tangential_laws = list(
         "TANGENTIAL_LAWS",
-        "TangentialLawPrograms",
+        quote! { table::TangentialLawPrograms },
         model.tangential_laws.iter().map(|law| {
             let name = &law.name;
             quote! { &#name::PROGRAMS }
@@ -34,28 +34,32 @@ pub fn emit_lists(model: &Model) -> TokenStream {
     let names: Vec<&Ident> = model.elements.iter().map(|element| &element.name).collect();
     let descriptions = list(
         "DESCRIPTIONS",
-        "ElementDescription",
+        quote! { ElementDescription },
         names.iter().map(|name| quote! { &#name::DESCRIPTION }),
     );
     let count = names.len();
     let elements = (count > 0).then(|| {
         quote! {
             /// The elements declared here; an index never changes once released.
-            pub static ELEMENTS: [&::contact_elements::abi::Descriptor; #count] =
+            pub static ELEMENTS: [&::contact_elements::Registered; #count] =
                 [#(#names::DESCRIPTOR),*];
         }
     });
     quote! { #geometries #laws #tangential_laws #descriptions #elements }
 }
 
-fn list(name: &str, kind: &str, items: impl Iterator<Item = TokenStream>) -> Option<TokenStream> {
+fn list(
+    name: &str,
+    kind: TokenStream,
+    items: impl Iterator<Item = TokenStream>,
+) -> Option<TokenStream> {
     let items: Vec<TokenStream> = items.collect();
     if items.is_empty() {
         return None;
     }
-    let (name, kind) = (format_ident!("{name}"), format_ident!("{kind}"));
+    let name = format_ident!("{name}");
     Some(quote! {
         /// What was declared here, for verification.
-        pub const #name: &[&::contact_elements::program::#kind] = &[#(#items),*];
+        pub const #name: &[&::contact_elements::#kind] = &[#(#items),*];
     })
 }

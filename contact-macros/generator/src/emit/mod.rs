@@ -43,10 +43,11 @@ pub fn emit(formulation: &Formulation<'_>, export: Option<&Ident>) -> TokenStrea
 fn imports() -> TokenStream {
     quote! {
         #[allow(unused_imports)]
-        use ::contact_elements::program::{
-            AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
-            GeometryPrograms, LawPrograms, MasterDescription, Operation, Program, RollingDescription, SlaveDescription,
-            TangentialLawPrograms, Term,
+        use ::contact_elements::ElementDescription;
+        #[allow(unused_imports)]
+        use ::contact_elements::table::{
+            AngleDescription, AxisDescription, ElementPrograms, GeometryPrograms, LawPrograms, MasterDescription,
+            Operation, RollingDescription, SlaveDescription, Table, TangentialLawPrograms, Term,
         };
         #[allow(unused_imports)]
         use ::contact_elements::runtime;

@@ -38,7 +38,7 @@ pub fn list(parameters: &Parameters) -> TokenStream {
         let (lower, upper) = (number(entry.lower), number(entry.upper));
         let closed = entry.closed;
         quote! {
-            ::contact_elements::abi::Parameter {
+            ::contact_elements::Parameter {
                 name: #name, unit: #unit, lower: #lower, upper: #upper, closed: #closed,
             }
         }

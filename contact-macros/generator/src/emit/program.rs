@@ -23,7 +23,7 @@ pub fn shared_items(routine: &Routine) -> TokenStream {
     let (table, constant) = (table(routine), constant(routine));
     quote! {
         #function
-        pub(super) const #constant: Program = #table;
+        pub(super) const #constant: Table = #table;
     }
 }
 
@@ -81,7 +81,7 @@ fn statements(program: &Program, style: Style) -> TokenStream {
     quote! { #(#lines)* }
 }
 
-/// The constant table `Program { … }` of a routine.
+/// The constant `Table { … }` of a routine.
 pub fn table(routine: &Routine) -> TokenStream {
     let program = &routine.program;
     let name = &program.name;
@@ -98,7 +98,7 @@ pub fn table(routine: &Routine) -> TokenStream {
     let cost = program.operations();
     let function = self::name(routine);
     quote! {
-        Program {
+        Table {
             name: #name,
             inputs: &[#(#inputs),*],
             operations: &[#(#operations),*],

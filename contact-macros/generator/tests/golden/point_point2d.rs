@@ -5,10 +5,12 @@ pub struct PointPoint2d;
 mod _element_pointpoint2d {
     use super::*;
     #[allow(unused_imports)]
-    use ::contact_elements::program::{
-        AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
-        GeometryPrograms, LawPrograms, MasterDescription, Operation, Program,
-        RollingDescription, SlaveDescription, TangentialLawPrograms, Term,
+    use ::contact_elements::ElementDescription;
+    #[allow(unused_imports)]
+    use ::contact_elements::table::{
+        AngleDescription, AxisDescription, ElementPrograms, GeometryPrograms,
+        LawPrograms, MasterDescription, Operation, RollingDescription, SlaveDescription,
+        Table, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -150,7 +152,7 @@ mod _element_pointpoint2d {
         call: &runtime::Call<'_>,
         nodes: &runtime::Nodes<'_>,
         memory: &mut [f64],
-        target: &mut ::contact_elements::abi::Target,
+        target: &mut ::contact_elements::Target<'_>,
     ) -> Result<runtime::Summary, runtime::InputError> {
         runtime::fixed::<
             PointPoint2d,
@@ -164,9 +166,9 @@ mod _element_pointpoint2d {
         >(call, nodes, &[false, false], target)
     }
     impl PointPoint2d {
-        /// What the C interface knows of this element.
-        pub const DESCRIPTOR: &'static ::contact_elements::abi::Descriptor = {
-            static DESCRIPTOR: ::contact_elements::abi::Descriptor = ::contact_elements::abi::Descriptor {
+        /// This element with its kernels.
+        pub const DESCRIPTOR: &'static ::contact_elements::Registered = {
+            static DESCRIPTOR: ::contact_elements::Registered = ::contact_elements::Registered {
                 descriptor: ::contact_elements::Descriptor {
                     name: "PointPoint2d\0",
                     documentation: "Two points in the plane.\0",
@@ -177,14 +179,14 @@ mod _element_pointpoint2d {
                     points: 1usize,
                     projected: 0usize,
                     parameters: &[
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "eps_n\0",
                             unit: "force/length\0",
                             lower: 0f64,
                             upper: f64::INFINITY,
                             closed: false,
                         },
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "r0\0",
                             unit: "length\0",
                             lower: 0f64,
@@ -257,7 +259,7 @@ mod _element_pointpoint2d {
     impl PointPoint2d {
         /// The programs of this element, for verification.
         pub const PROGRAMS: ElementPrograms = ElementPrograms {
-            gap: Program {
+            gap: Table {
                 name: "gap",
                 inputs: &["r_0", "r_1", "orientation", "r0"],
                 operations: &[
@@ -290,7 +292,7 @@ mod _element_pointpoint2d {
                     }
                 },
             },
-            tangent: Some(Program {
+            tangent: Some(Table {
                 name: "tangent",
                 inputs: &["n_0", "n_1", "distance", "traction", "slope"],
                 operations: &[

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use contact_elements::abi::{Descriptor, Sparse, csr_blocks, csr_map, element_history_init};
+use contact_elements::abi::{Sparse, csr_blocks, csr_map, element_history_init};
+use contact_elements::Registered;
 
 use crate::random::Random;
 
@@ -11,7 +12,7 @@ const PER_FACET: usize = 4;
 
 /// Contacts of one element and the sparse matrix that they go into.
 pub struct Mesh {
-    pub element: &'static Descriptor,
+    pub element: &'static Registered,
     pub count: usize,
     /// Slave nodes given in the call; 0: the element's own.
     pub slaves: usize,
@@ -31,7 +32,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    pub fn new(element: &'static Descriptor, count: usize, is_shuffled: bool) -> Self {
+    pub fn new(element: &'static Registered, count: usize, is_shuffled: bool) -> Self {
         let mut random = Random(count as u64);
         let side = (count as f64 / PER_FACET as f64).sqrt().ceil() as usize;
         let slaves = if element.interpolated { 3 } else { 0 };

@@ -1,8 +1,8 @@
 //! Contact weighted by the angle of two curves in an interpreted element: from its tables to R and K, written out
 //! entry by entry.
 
-use contact_elements::program::{AngleDescription, SlaveDescription};
 use contact_elements::runtime::{Receiver, Write};
+use contact_elements::table::{AngleDescription, SlaveDescription};
 
 use super::assembly::Assembly;
 use super::friction::Contact;

@@ -1,7 +1,7 @@
 //! The sums of an interpreted element: its state, its inputs in the frame of the geometry, what it adds up.
 
-use contact_elements::program::MasterDescription;
 use contact_elements::runtime::{Enforcement, Placement, Receiver, Report, Write};
+use contact_elements::table::MasterDescription;
 
 use super::site::{Mutation, TermSite};
 use crate::interpret::Change;

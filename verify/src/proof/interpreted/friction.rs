@@ -1,10 +1,8 @@
 //! Tangential contact of one point of an interpreted element: from its tables to R and K, written out entry by
 //! entry.
 
-use contact_elements::program::{
-    AxisDescription, Program, SlaveDescription, TangentialLawPrograms,
-};
 use contact_elements::runtime::{Receiver, Write};
+use contact_elements::table::{AxisDescription, SlaveDescription, Table, TangentialLawPrograms};
 
 use super::assembly::Assembly;
 use super::rows::Point;
@@ -229,7 +227,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
 
     fn tangential_residual(
         &mut self,
-        program: &Program,
+        program: &Table,
         point: &Point<D, P>,
         contact: &Contact<'_, D>,
         state: &State,
@@ -252,7 +250,7 @@ impl<const D: usize, const P: usize> Assembly<'_, D, P> {
 
     fn tangential_tangent(
         &mut self,
-        program: &Program,
+        program: &Table,
         point: &Point<D, P>,
         contact: &Contact<'_, D>,
         state: &State,

@@ -1,7 +1,7 @@
 //! Normal contact of one point of an interpreted element: gap, coefficients, measure and contraction.
 
-use contact_elements::program::MasterDescription;
 use contact_elements::runtime::{Coefficients, NormalContraction, Temporaries, Write, contract};
+use contact_elements::table::MasterDescription;
 
 use super::assembly::Assembly;
 use super::friction::Contact;

@@ -1,7 +1,7 @@
 //! Moments about two curves of an interpreted element: from its tables to R and K, written out entry by entry.
 
-use contact_elements::program::RollingDescription;
 use contact_elements::runtime::{Receiver, Write};
+use contact_elements::table::RollingDescription;
 
 use super::assembly::Assembly;
 use super::friction::{Contact, LawOfElement, Load, State};

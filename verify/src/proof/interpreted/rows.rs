@@ -1,6 +1,6 @@
 //! Rows and vectors of one point of an interpreted element, from the tables of its geometries.
 
-use contact_elements::program::{GeometryPrograms, MasterDescription, SlaveDescription};
+use contact_elements::table::{GeometryPrograms, MasterDescription, SlaveDescription};
 
 use super::assembly::Assembly;
 use crate::interpret::interpret;

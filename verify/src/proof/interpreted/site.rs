@@ -1,11 +1,11 @@
 //! Where the terms of an element stand: which of its programs holds them.
 
-use contact_elements::program::Program;
+use contact_elements::table::Table;
 
 use crate::interpret::Change;
 use crate::subject::Subject;
 
-/// Program of an element that holds terms.
+/// Table of an element that holds terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TermSite {
     /// Law.
@@ -62,7 +62,7 @@ impl TermSite {
 pub type Mutation = (TermSite, Change);
 
 /// The program of a subject at a site.
-pub fn program(subject: &Subject, site: TermSite) -> Option<&'static Program> {
+pub fn program(subject: &Subject, site: TermSite) -> Option<&'static Table> {
     match site {
         TermSite::Law => Some(&subject.description.law.law),
         TermSite::Tangent => subject.description.programs.tangent.as_ref(),

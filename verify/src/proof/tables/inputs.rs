@@ -1,6 +1,6 @@
 //! Random inputs of a program, and derivatives of its outputs by dual numbers.
 
-use contact_elements::program::Program;
+use contact_elements::table::Table;
 use num_dual::Dual64;
 
 use crate::configurations::Stream;
@@ -10,7 +10,7 @@ use crate::interpret::interpret;
 pub(super) const TRIES: u64 = 50;
 
 /// Random inputs in (0.2, 0.8): inside every parameter domain, away from every singularity.
-pub(super) fn inputs(program: &Program, seed: u64, index: u64) -> Vec<f64> {
+pub(super) fn inputs(program: &Table, seed: u64, index: u64) -> Vec<f64> {
     let mut stream = Stream::new(seed, index, 77);
     program
         .inputs
@@ -20,7 +20,7 @@ pub(super) fn inputs(program: &Program, seed: u64, index: u64) -> Vec<f64> {
 }
 
 /// Values over duals seeded in input `k`, and the derivative part of every output.
-pub(super) fn derivative(program: &Program, inputs: &[f64], k: usize) -> Vec<f64> {
+pub(super) fn derivative(program: &Table, inputs: &[f64], k: usize) -> Vec<f64> {
     let duals: Vec<Dual64> = inputs
         .iter()
         .enumerate()

@@ -1,6 +1,6 @@
 //! Derivatives of tangential laws in their tables against duals of the declared bound and of the force.
 
-use contact_elements::program::{Program, TangentialLawPrograms};
+use contact_elements::table::{Table, TangentialLawPrograms};
 use num_dual::Dual64;
 
 use super::inputs::{TRIES, derivative, inputs};
@@ -62,7 +62,7 @@ pub(super) fn derivatives(finding: &mut Finding, law: &TangentialLawPrograms, se
 }
 
 /// Change of the force along changes of slip and bound; γ keeps it on the ellipse.
-fn along(program: &Program, own: &[f64], changes: &[f64], ellipse: bool) -> [f64; 2] {
+fn along(program: &Table, own: &[f64], changes: &[f64], ellipse: bool) -> [f64; 2] {
     let change = |changes: &[f64]| -> [Dual64; 2] {
         let numbers = own.iter().zip(changes);
         let duals: Vec<Dual64> = numbers.map(|(&v, &d)| Dual64::new(v, d)).collect();

@@ -43,15 +43,15 @@ pub(super) fn descriptor(e: &FormulatedElement<'_>) -> TokenStream {
             call: &runtime::Call<'_>,
             nodes: &runtime::Nodes<'_>,
             memory: &mut [f64],
-            target: &mut ::contact_elements::abi::Target,
+            target: &mut ::contact_elements::Target<'_>,
         ) -> Result<runtime::Summary, runtime::InputError> {
             #kernel
         }
         impl #name {
-            /// What the C interface knows of this element.
-            pub const DESCRIPTOR: &'static ::contact_elements::abi::Descriptor = {
-                static DESCRIPTOR: ::contact_elements::abi::Descriptor =
-                    ::contact_elements::abi::Descriptor {
+            /// This element with its kernels.
+            pub const DESCRIPTOR: &'static ::contact_elements::Registered = {
+                static DESCRIPTOR: ::contact_elements::Registered =
+                    ::contact_elements::Registered {
                         descriptor: ::contact_elements::Descriptor {
                         name: #text,
                         documentation: #documentation,
@@ -127,7 +127,7 @@ fn lanes(e: &FormulatedElement<'_>) -> (TokenStream, TokenStream) {
     }
     let vectors = e.vector_flags();
     let function = quote! {
-        fn lanes(run: &mut ::contact_elements::abi::Run<'_>, width: runtime::Width) {
+        fn lanes(run: &mut ::contact_elements::Run<'_>, width: runtime::Width) {
             runtime::evaluate_batch::<#name, _, #d, #p, #h, #n>(
                 run, width, &[#(#vectors),*],
             )
@@ -147,7 +147,7 @@ fn screen(e: &FormulatedElement<'_>) -> (TokenStream, TokenStream) {
     let vectors = e.vector_flags();
     let function = quote! {
         fn screen(
-            run: &::contact_elements::abi::Run<'_>,
+            run: &::contact_elements::Run<'_>,
             place: (usize, usize),
             bounds: &mut [f64; runtime::SCREENED],
         ) -> u32 {

@@ -92,7 +92,7 @@ fn questions(prefix: &Ident) -> TokenStream {
         f(
             "element_get",
             quote!(index: i32),
-            quote!(*const abi::Descriptor),
+            quote!(*const abi::Registered),
             quote!(abi::element_get(&ELEMENTS, index)),
         ),
         f(
@@ -103,19 +103,19 @@ fn questions(prefix: &Ident) -> TokenStream {
         ),
         f(
             "element_info",
-            quote!(element: *const abi::Descriptor, nnode: i32, info: *mut abi::Info),
+            quote!(element: *const abi::Registered, nnode: i32, info: *mut abi::Info),
             quote!(i32),
             quote!(abi::element_info(element, nnode, info)),
         ),
         f(
             "element_unknown",
-            quote!(element: *const abi::Descriptor, nnode: i32, index: i32, node: *mut i32, kind: *mut i32),
+            quote!(element: *const abi::Registered, nnode: i32, index: i32, node: *mut i32, kind: *mut i32),
             quote!(i32),
             quote!(abi::element_unknown(element, nnode, index, node, kind)),
         ),
         f(
             "element_parameter",
-            quote!(element: *const abi::Descriptor, index: i32, name: *mut *const u8,
+            quote!(element: *const abi::Registered, index: i32, name: *mut *const u8,
                 unit: *mut *const u8, lower: *mut f64, upper: *mut f64, closed: *mut i32),
             quote!(i32),
             quote!(abi::element_parameter(
@@ -124,7 +124,7 @@ fn questions(prefix: &Ident) -> TokenStream {
         ),
         f(
             "element_check_parameters",
-            quote!(element: *const abi::Descriptor, parameters: *const f64, count: i32, index: *mut i32),
+            quote!(element: *const abi::Registered, parameters: *const f64, count: i32, index: *mut i32),
             quote!(i32),
             quote!(abi::element_check_parameters(
                 element, parameters, count, index
@@ -142,14 +142,14 @@ fn evaluations(prefix: &Ident) -> TokenStream {
     let list = [
         f(
             "element_history_init",
-            quote!(element: *const abi::Descriptor, history: *mut f64),
+            quote!(element: *const abi::Registered, history: *mut f64),
             quote!(i32),
             quote!(abi::element_history_init(element, history)),
         ),
         f(
             "history_transfer",
-            quote!(from: *const abi::Descriptor, from_output: *const f64, from_history: *const f64,
-                to: *const abi::Descriptor, to_output: *const f64, to_history: *mut f64,
+            quote!(from: *const abi::Registered, from_output: *const f64, from_history: *const f64,
+                to: *const abi::Registered, to_output: *const f64, to_history: *mut f64,
                 argument: *mut i32),
             quote!(i32),
             quote!(abi::history_transfer(
@@ -164,14 +164,14 @@ fn evaluations(prefix: &Ident) -> TokenStream {
         ),
         f(
             "history_augment",
-            quote!(element: *const abi::Descriptor, trial: *const f64, accepted: *mut f64,
+            quote!(element: *const abi::Registered, trial: *const f64, accepted: *mut f64,
                 argument: *mut i32),
             quote!(i32),
             quote!(abi::history_augment(element, trial, accepted, argument)),
         ),
         f(
             "element_project",
-            quote!(element: *const abi::Descriptor, arguments: *mut abi::Arguments, reach: f64,
+            quote!(element: *const abi::Registered, arguments: *mut abi::Arguments, reach: f64,
                 result: *mut abi::Projection, history: *mut f64),
             quote!(i32),
             quote!(abi::element_project(
@@ -192,25 +192,25 @@ fn evaluations(prefix: &Ident) -> TokenStream {
         ),
         f(
             "element_evaluate",
-            quote!(element: *const abi::Descriptor, arguments: *mut abi::Arguments),
+            quote!(element: *const abi::Registered, arguments: *mut abi::Arguments),
             quote!(i32),
             quote!(abi::element_evaluate(element, arguments)),
         ),
         f(
             "element_batch_workspace",
-            quote!(element: *const abi::Descriptor, nslave: i32),
+            quote!(element: *const abi::Registered, nslave: i32),
             quote!(i64),
             quote!(abi::element_batch_workspace(element, nslave)),
         ),
         f(
             "element_evaluate_batch",
-            quote!(element: *const abi::Descriptor, n: i64, batch: *mut abi::Batch),
+            quote!(element: *const abi::Registered, n: i64, batch: *mut abi::Batch),
             quote!(i32),
             quote!(abi::element_evaluate_batch(element, n, batch)),
         ),
         f(
             "element_evaluate_batch_threads",
-            quote!(element: *const abi::Descriptor, n: i64, batch: *mut abi::Batch, threads: i32),
+            quote!(element: *const abi::Registered, n: i64, batch: *mut abi::Batch, threads: i32),
             quote!(i32),
             quote!(abi::element_evaluate_batch_threads(
                 element, n, batch, threads
@@ -228,7 +228,7 @@ fn scatter_map(prefix: &Ident, name: &str) -> TokenStream {
     exported(
         prefix,
         name,
-        quote!(element: *const abi::Descriptor, n: i64, nslave: i32, connectivity: *const i32,
+        quote!(element: *const abi::Registered, n: i64, nslave: i32, connectivity: *const i32,
             rows: i64, row_start: *const i64, column: *const i32, map: *mut i64),
         quote!(i32),
         quote!(abi::#function(
@@ -265,7 +265,7 @@ fn messages(prefix: &Ident) -> TokenStream {
         ),
         f(
             "element_message",
-            quote!(element: *const abi::Descriptor, arguments: *const abi::Arguments, code: i32,
+            quote!(element: *const abi::Registered, arguments: *const abi::Arguments, code: i32,
                 text: *mut u8, size: i32),
             quote!(i32),
             quote!(abi::element_message(element, arguments, code, text, size)),

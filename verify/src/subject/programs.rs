@@ -1,12 +1,12 @@
 //! The programs of an element.
 
-use contact_elements::table::Program;
+use contact_elements::table::Table;
 
 use super::Subject;
 
 impl Subject {
     /// The element's own programs: without those of its geometries and laws.
-    pub fn programs(&self) -> Vec<&'static Program> {
+    pub fn programs(&self) -> Vec<&'static Table> {
         let own = self.description.programs;
         let mut list = vec![Some(&own.gap)];
         list.extend([

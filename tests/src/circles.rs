@@ -136,7 +136,7 @@ impl Crate {
         folder: &Path,
     ) -> Result<(), String> {
         let name = item.ident.to_string();
-        let child = [names, &[name.clone()]].concat();
+        let child = [names, std::slice::from_ref(&name)].concat();
         let folder = folder.join(&name);
         let Some((_, items)) = item.content else {
             let own = folder.with_extension("rs");

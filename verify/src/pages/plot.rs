@@ -101,12 +101,15 @@ pub(super) fn growth(growth: &[Reached]) -> Result<Markup, PlotError> {
             .x_label_formatter(&|states| format!("{states:.0}"))
             .y_label_formatter(&|error| format!("{error:.0e}"))
             .draw()?;
-        let residual = |reached: &Reached| reached.residual;
-        let tangent = |reached: &Reached| reached.tangent;
-        let curves: [(fn(&Reached) -> f64, RGBColor, &str); 2] =
-            [(residual, RESIDUAL, "R"), (tangent, TANGENT, "K")];
-        for (of, color, name) in curves {
-            let at = |reached: &Reached| (reached.states as f64, of(reached).clamp(1e-15, 1e-11));
+        for (name, color) in [("R", RESIDUAL), ("K", TANGENT)] {
+            let at = |reached: &Reached| {
+                let error = if name == "R" {
+                    reached.residual
+                } else {
+                    reached.tangent
+                };
+                (reached.states as f64, error.clamp(1e-15, 1e-11))
+            };
             let line = LineSeries::new(growth.iter().map(at), color.stroke_width(2)).point_size(3);
             chart.draw_series(line)?.label(name).legend(move |(x, y)| {
                 PathElement::new([(x, y), (x + 16, y)], color.stroke_width(2))

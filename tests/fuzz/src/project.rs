@@ -42,6 +42,10 @@ const UNSET: Projection = Projection {
 };
 
 /// A projection; the history that it writes is one that an evaluation takes.
+#[expect(
+    clippy::too_many_lines,
+    reason = "the memory lent to the call lives as long as the function"
+)]
 pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     let (plan, reach) = drawn(harness, entropy)?;
     let element = harness.elements[plan.element].clone();

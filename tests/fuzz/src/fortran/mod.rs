@@ -27,6 +27,10 @@ const NO_ELEMENT: i32 = -8;
 const NULL: i32 = -1;
 
 /// An evaluation through Fortran's door, and the same through C's.
+#[expect(
+    clippy::too_many_lines,
+    reason = "the memory lent to the call lives as long as the function"
+)]
 pub fn case(harness: &mut Harness, entropy: &mut Entropy) -> Checked {
     let mut plan = plan(harness, entropy)?;
     let element = harness.elements[plan.element].clone();

@@ -24,6 +24,10 @@ pub fn can_describe(facets: &Facets) -> bool {
 }
 
 /// Describes and evaluates a patch whose K goes by columns of `ldk` entries.
+#[expect(
+    clippy::too_many_lines,
+    reason = "the memory lent to the call lives as long as the function"
+)]
 pub fn perform(
     harness: &mut Harness,
     facets: &Facets,

@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 
-use super::frame;
 use super::plot::{self, PlotError};
 use super::quotes::Quotes;
+use super::{formula, frame};
 use crate::certificate::ElementCertificate;
 use crate::proof::Finding;
 use crate::proof::mutation::TermResult;
@@ -59,7 +59,7 @@ fn row_of_term(term: &TermResult, quotes: &Quotes) -> Markup {
     html! {
         tr.muted[term.left_out.is_some()] {
             td { code { (term.tag) } }
-            td { @if let Some(equation) = equation { (frame::formula(&equation.text)) } }
+            td { @if let Some(equation) = equation { (formula::markup(&equation.text)) } }
             td { @if let Some(equation) = equation { (equation.page) } }
             td { code { (term.program) } }
             td.number { @if term.made > 0 { (term.killed) " of " (term.made) " killed" } }

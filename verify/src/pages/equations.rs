@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 /// What a page of the documentation says at a tag.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Equation {
-    /// The equation, formulas between backticks or dollar signs.
+    /// The equation, in the markup of the documentation.
     pub text: String,
     /// Name of the page.
     pub page: String,

@@ -1,4 +1,4 @@
-//! What all pages share: head, style, small pieces.
+//! What all pages share: head, style, verdicts.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -38,14 +38,5 @@ pub(super) fn page(title: &str, body: Markup) -> Markup {
 pub(super) fn verdict(failed: u64) -> Markup {
     html! {
         @if failed == 0 { span.good { "proven" } } @else { span.bad { (failed) " failed" } }
-    }
-}
-
-/// Text in which parts between backticks or dollar signs are formulas.
-pub(super) fn formula(text: &str) -> Markup {
-    html! {
-        @for (number, part) in text.split(['`', '$']).enumerate() {
-            @if number % 2 == 0 { (part) } @else { code { (part) } }
-        }
     }
 }

@@ -4,6 +4,7 @@
 mod declaration;
 mod element;
 mod equations;
+mod formula;
 mod frame;
 mod index;
 mod plot;

@@ -5,7 +5,9 @@ mod export;
 mod geometry;
 mod law;
 mod lists;
+mod names;
 mod parameters;
+mod plain;
 mod program;
 mod tangential_law;
 
@@ -21,6 +23,7 @@ use quote::quote;
 
 use crate::formulate::Formulation;
 use crate::model::Domain;
+use program::TAG;
 
 /// Everything that was declared, with its lists, and the C symbols under the prefix `export`.
 pub fn emit(formulation: &Formulation<'_>, export: Option<&Ident>) -> TokenStream {
@@ -36,7 +39,10 @@ pub fn emit(formulation: &Formulation<'_>, export: Option<&Ident>) -> TokenStrea
         let names: Vec<Ident> = elements.map(|own| own.declared.name.clone()).collect();
         emit_export(prefix, &names)
     });
-    quote! { #(#geometries)* #(#laws)* #(#tangential)* #friction #(#elements)* #lists #export }
+    let all = quote! {
+        #(#geometries)* #(#laws)* #(#tangential)* #friction #(#elements)* #lists #export
+    };
+    plain::plain(all)
 }
 
 /// What every emitted item refers to.
@@ -54,13 +60,19 @@ fn imports() -> TokenStream {
     }
 }
 
-/// Emitted tokens as formatted source.
+/// Emitted tokens as formatted source. Equations at statements become comments: a comment does not survive among
+/// tokens, so the tokens carry it as documentation.
 ///
 /// # Errors
 /// Where the tokens are no Rust file.
 pub fn readable(tokens: &TokenStream) -> syn::Result<String> {
-    let file = syn::parse2(tokens.clone())?;
-    Ok(prettyplease::unparse(&file))
+    let file = syn::parse2(plain::plain(tokens.clone()))?;
+    let text = prettyplease::unparse(&file);
+    let lines = text.lines().map(|line| match line.trim_start() {
+        comment if comment.starts_with(&format!("/// {TAG}")) => line.replacen("///", "//", 1),
+        _ => line.to_string(),
+    });
+    Ok(lines.map(|line| line + "\n").collect())
 }
 
 /// A parameter domain as an expression.

@@ -1,10 +1,16 @@
 //! A program as a Rust function of straight-line code, and as a constant table.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::names::{Names, marked_value};
 use crate::formulate::Routine;
 use crate::ir::{Binary, Node, NodeId, Program, Unary};
+
+/// How the comment of an equation begins.
+pub const TAG: &str = "[eq:";
 
 /// Name of the emitted function.
 pub fn name(routine: &Routine) -> Ident {
@@ -41,14 +47,21 @@ pub fn guarded_function(routine: &Routine) -> TokenStream {
 fn function_with(routine: &Routine, style: Style, inline: &TokenStream) -> TokenStream {
     let name = name(routine);
     let program = &routine.program;
-    let (inputs, outputs) = (program.inputs.len(), program.outputs.len());
+    let names = Names::new(program);
+    let printer = Printer {
+        program,
+        names: &names,
+        style,
+    };
+    let (count, outputs) = (program.inputs.len(), program.outputs.len());
     let comment = format!(
-        " {} operations, {inputs} inputs, {outputs} outputs.",
+        " {} operations, {count} inputs, {outputs} outputs.",
         program.operations()
     );
-    let body = statements(program, style);
+    let body = printer.statements();
     let results = program.outputs.iter();
-    let results = results.map(|&(_, value)| style.operand(program, value));
+    let results = results.map(|&(_, value)| printer.operand(value));
+    let inputs = names.inputs();
     let (generics, number) = match style {
         Style::Generic => (
             quote! { <T: ::contact_elements::runtime::Real> },
@@ -58,27 +71,14 @@ fn function_with(routine: &Routine, style: Style, inline: &TokenStream) -> Token
     };
     quote! {
         #[doc = #comment]
-        #[allow(clippy::all, unused_variables)]
+        #[allow(clippy::all, unused_variables, unused_doc_comments)]
         #inline
-        fn #name #generics(i: &[#number; #inputs]) -> [#number; #outputs] {
+        fn #name #generics(i: &[#number; #count]) -> [#number; #outputs] {
+            let [#(#inputs),*] = *i;
             #body
             [#(#results),*]
         }
     }
-}
-
-fn statements(program: &Program, style: Style) -> TokenStream {
-    let needed = program.needed();
-    let nodes = program.graph.nodes().iter().enumerate();
-    let lines = nodes.filter_map(|(index, &node)| {
-        if !needed[index] || !node.is_operation() {
-            return None;
-        }
-        let name = variable(index);
-        let value = style.operation(program, node);
-        Some(quote! { let #name = #value; })
-    });
-    quote! { #(#lines)* }
 }
 
 /// The constant `Table { … }` of a routine.
@@ -131,10 +131,6 @@ fn position(id: NodeId) -> u16 {
     u16::try_from(id.0).expect("the budget keeps programs below 65536 nodes")
 }
 
-fn variable(index: usize) -> Ident {
-    Ident::new(&format!("t{index}"), Span::call_site())
-}
-
 /// What the function of a program works on.
 #[derive(Clone, Copy)]
 enum Style {
@@ -144,33 +140,61 @@ enum Style {
     Guarded,
 }
 
-impl Style {
-    fn operand(self, program: &Program, id: NodeId) -> TokenStream {
-        match program.graph.node(id) {
+/// A program on its way to a function.
+struct Printer<'a> {
+    program: &'a Program,
+    names: &'a Names,
+    style: Style,
+}
+
+impl Printer<'_> {
+    /// One statement per operation that an output needs; those at a term carry its equation as a comment.
+    fn statements(&self) -> TokenStream {
+        let needed = self.program.needed();
+        let tags = tags(self.program);
+        let mut last = &String::new();
+        let mut lines = TokenStream::new();
+        for (index, &node) in self.program.graph.nodes().iter().enumerate() {
+            if !needed[index] || !node.is_operation() {
+                continue;
+            }
+            let name = self.names.value(NodeId(index as u32));
+            let value = self.operation(node);
+            if let Some(tag) = tags.get(&index).filter(|&tag| tag != last) {
+                lines.extend(quote! { #[doc = #tag] });
+                last = tag;
+            }
+            lines.extend(quote! { let #name = #value; });
+        }
+        lines
+    }
+
+    fn operand(&self, id: NodeId) -> TokenStream {
+        match self.program.graph.node(id) {
             Node::Constant(bits) => self.literal(f64::from_bits(bits)),
             Node::Input(index) => {
-                let index = index as usize;
-                quote! { i[#index] }
+                let input = self.names.input(index);
+                quote! { #input }
             }
-            Node::Term(inner, _) => self.operand(program, inner),
+            Node::Term(inner, _) => self.operand(inner),
             _ => {
-                let name = variable(id.0 as usize);
+                let name = self.names.value(id);
                 quote! { #name }
             }
         }
     }
 
-    fn literal(self, value: f64) -> TokenStream {
+    fn literal(&self, value: f64) -> TokenStream {
         let literal = literal(value);
-        match self {
+        match self.style {
             Style::Generic => quote! { T::constant(#literal) },
             Style::Guarded => literal,
         }
     }
 
-    fn operation(self, program: &Program, node: Node) -> TokenStream {
-        let of = |id: NodeId| self.operand(program, id);
-        match (self, node) {
+    fn operation(&self, node: Node) -> TokenStream {
+        let of = |id: NodeId| self.operand(id);
+        match (self.style, node) {
             (_, Node::Negate(a)) => {
                 let a = of(a);
                 quote! { -#a }
@@ -187,15 +211,15 @@ impl Style {
                 let (name, a, b) = (binary_name(function), of(a), of(b));
                 quote! { T::#name(#a, #b) }
             }
-            (Style::Guarded, _) => self.guarded(program, node),
+            (Style::Guarded, _) => self.guarded(node),
             (_, Node::Constant(_) | Node::Input(_) | Node::Term(..)) => {
                 unreachable!("not an operation")
             }
         }
     }
 
-    fn guarded(self, program: &Program, node: Node) -> TokenStream {
-        let of = |id: NodeId| self.operand(program, id);
+    fn guarded(&self, node: Node) -> TokenStream {
+        let of = |id: NodeId| self.operand(id);
         let library = quote! { ::contact_elements::arithmetic };
         match node {
             Node::Divide(a, b) => {
@@ -215,8 +239,8 @@ impl Style {
                 quote! { #library::#name(#a) }
             }
             Node::Binary(Binary::Pow, a, b) => {
-                let whole =
-                    (program.graph.value(b)).is_some_and(|exponent| exponent.fract() == 0.0);
+                let exponent = self.program.graph.value(b);
+                let whole = exponent.is_some_and(|exponent| exponent.fract() == 0.0);
                 let (a, b) = (of(a), of(b));
                 let base = if whole {
                     a
@@ -232,6 +256,35 @@ impl Style {
             _ => unreachable!("not an operation"),
         }
     }
+}
+
+/// The comment at each operation that a term's coefficient enters, or that is an output marked as a term.
+fn tags(program: &Program) -> BTreeMap<usize, String> {
+    let tag = |id: NodeId| match program.graph.node(id) {
+        Node::Term(_, term) => Some(program.terms[usize::from(term.0)].tag),
+        _ => None,
+    };
+    let mut found: BTreeMap<usize, String> = BTreeMap::new();
+    let mut add = |index: usize, tag: &str| {
+        let text = found.entry(index).or_default();
+        let tag = format!(" {TAG}{tag}]");
+        if !text.contains(&tag) {
+            text.push_str(&tag);
+        }
+    };
+    for (index, node) in program.graph.nodes().iter().enumerate() {
+        if node.is_operation() {
+            node.operands()
+                .filter_map(tag)
+                .for_each(|tag| add(index, tag));
+        }
+    }
+    for &(_, id) in &program.outputs {
+        if let Some(tag) = tag(id) {
+            add(marked_value(program, id).0 as usize, tag);
+        }
+    }
+    found
 }
 
 fn literal(value: f64) -> TokenStream {

@@ -45,51 +45,53 @@ pub fn emit_tangential_law(formulated: &FormulatedTangentialLaw) -> TokenStream 
     }
 }
 
+/// `[o[start], o[last]]`: an isotropic law has one value for both axes.
+fn both_axes(start: usize, axes: usize) -> TokenStream {
+    let last = start + axes - 1;
+    quote! { [o[#start], o[#last]] }
+}
+
+/// Stiffness and, with a bound, the bound and its slopes.
+fn fields(law: &TangentialLaw) -> TokenStream {
+    let axes = law.stiffness.len();
+    let of = |group: usize| both_axes(group * axes, axes);
+    let stiffness = of(0);
+    if law.bound.is_empty() {
+        return quote! { stiffness: #stiffness, ..runtime::Friction::default() };
+    }
+    let (bound, by_pressure, by_slip) = (of(1), of(2), of(3));
+    quote! { stiffness: #stiffness, bound: #bound, by_pressure: #by_pressure, by_slip: #by_slip, }
+}
+
+/// The force beyond the bound.
+fn slide(law: &TangentialLaw) -> TokenStream {
+    if law.bound.is_empty() {
+        return quote! { runtime::Tangential::default() };
+    }
+    let axes = law.stiffness.len();
+    let values = ["stiffness", "bound", "by_pressure", "by_slip"].into_iter();
+    let values = values.flat_map(|field| {
+        let field = format_ident!("{field}");
+        (0..axes).map(move |q| quote! { friction.#field[#q] })
+    });
+    let gamma = (axes == 2).then(|| quote! { gamma });
+    quote! {
+        let o = sliding(&[s[0], s[1], #(#values,)* #gamma]);
+        runtime::Tangential {
+            t: [o[0], o[1]],
+            c: [[o[2], o[3]], [o[4], o[5]]],
+            h: [o[6], o[7]],
+            ..runtime::Tangential::default()
+        }
+    }
+}
+
 fn methods(law: &TangentialLaw) -> TokenStream {
     let name = &law.name;
     let count = law.parameters.len();
-    let axes = law.stiffness.len();
-    let (orthotropic, bounded) = (axes == 2, !law.bound.is_empty());
+    let (orthotropic, bounded) = (law.stiffness.len() == 2, !law.bound.is_empty());
     let inputs = (0..count).map(|k| quote! { parameters[#k] });
-    // an isotropic law has one value for both axes
-    let pair = |start: usize| {
-        let last = start + axes - 1;
-        quote! { [o[#start], o[#last]] }
-    };
-    let fields = if bounded {
-        let (stiffness, bound) = (pair(0), pair(axes));
-        let (by_pressure, by_slip) = (pair(2 * axes), pair(3 * axes));
-        quote! {
-            stiffness: #stiffness, bound: #bound, by_pressure: #by_pressure, by_slip: #by_slip,
-        }
-    } else {
-        let stiffness = pair(0);
-        quote! { stiffness: #stiffness, ..runtime::Friction::default() }
-    };
-    let slide = if bounded {
-        let of = |field: &str| {
-            let field = format_ident!("{field}");
-            (0..axes)
-                .map(move |q| quote! { friction.#field[#q] })
-                .collect::<Vec<_>>()
-        };
-        let (stiffness, bound) = (of("stiffness"), of("bound"));
-        let (by_pressure, by_slip) = (of("by_pressure"), of("by_slip"));
-        let gamma = orthotropic.then(|| quote! { gamma });
-        quote! {
-            let o = sliding(&[
-                s[0], s[1], #(#stiffness,)* #(#bound,)* #(#by_pressure,)* #(#by_slip,)* #gamma
-            ]);
-            runtime::Tangential {
-                t: [o[0], o[1]],
-                c: [[o[2], o[3]], [o[4], o[5]]],
-                h: [o[6], o[7]],
-                ..runtime::Tangential::default()
-            }
-        }
-    } else {
-        quote! { runtime::Tangential::default() }
-    };
+    let (fields, slide) = (fields(law), slide(law));
     quote! {
         #[allow(unused_variables)]
         impl runtime::TangentialLaw for #name {

@@ -2,39 +2,17 @@
 
 use std::rc::Rc;
 
-use proc_macro2::Span;
-
-use super::angle::{Choices, Others, check_angle};
-use super::law_entries::{WrittenAxis, check_parameters, check_tangential, normal, tangential_law};
-use super::numeric;
-use super::pair::{Side, check_pair, master, only_gap, plain, slave};
+use super::angle::Others;
+use super::entries::Entries;
+use super::law_entries::{check_parameters, normal, tangential_law};
+use super::pair::{Side, check_pair, master, slave};
 use super::registry::Registry;
-use super::rolling::check_reference;
 use super::types::{
     Angle, Axis, Element, Enforcement, Gap, Law, Linearisation, Master, Measure, Reference,
     Rolling, Slave, Tangential, TangentialLaw,
 };
-use crate::diagnostics::{Mistakes, element as messages, names};
-use crate::syntax::{self, ElementItem, Word};
-
-/// The entries of an element, in the order of the documentation.
-const ENTRIES: [&str; 15] = [
-    "dimension",
-    "slave",
-    "master",
-    "normal",
-    "tangential",
-    "axis",
-    "rolling",
-    "director",
-    "angle",
-    "enforcement",
-    "gap",
-    "linearisation",
-    "measure",
-    "outputs",
-    "batch",
-];
+use crate::diagnostics::Mistakes;
+use crate::syntax::ElementItem;
 
 /// The element an item describes; `None` after a mistake.
 pub(super) fn element(
@@ -45,22 +23,8 @@ pub(super) fn element(
     let before = mistakes.count();
     let entries = Entries::new(item, mistakes);
     let dimension = entries.dimension(mistakes);
-    let slave = entries
-        .require("slave", "slave: point;", mistakes)
-        .and_then(|entry| slave(entry, registry, mistakes));
-    let master = entries
-        .require("master", "master: Quad4;", mistakes)
-        .and_then(|entry| master(entry, registry, mistakes));
-    let law = entries
-        .require("normal", "normal: Penalty;", mistakes)
-        .and_then(|entry| normal(entry, registry, mistakes));
-    let tangential = entries
-        .get("tangential")
-        .and_then(|entry| tangential_law(entry, "tangential", registry, mistakes));
-    let rolling = entries
-        .get("rolling")
-        .and_then(|entry| tangential_law(entry, "rolling", registry, mistakes));
-    let pair = match (dimension, &slave, &master) {
+    let named = Named::new(&entries, registry, mistakes);
+    let pair = match (dimension, &named.slave, &named.master) {
         (Some(dimension), Some(slave), Some(master))
             if check_pair(dimension, slave, master, mistakes) =>
         {
@@ -68,364 +32,131 @@ pub(super) fn element(
         }
         _ => None,
     };
-    let laws = [tangential.as_ref(), rolling.as_ref()];
-    check_parameters(master.as_ref(), law.as_ref(), laws, mistakes);
-    let axis = entries.axis(tangential.as_ref(), pair, mistakes);
-    let enforcement = entries.enforcement(law.as_ref(), mistakes);
-    let gap = entries.gap(pair, mistakes);
-    let linearisation = entries.linearisation(master.as_ref(), mistakes);
-    let measure = entries.measure(slave.as_ref(), enforcement, mistakes);
-    let reference = entries.reference(rolling.as_ref(), pair, mistakes);
-    let linearised = linearisation.as_ref().map(|chosen| chosen.what);
-    let choices = (gap, linearised, enforcement);
-    entries.check_rolling(rolling.as_ref(), choices, mistakes);
-    let others = Others {
-        pair,
-        law: law.as_ref(),
-        choices,
-        measure,
-    };
-    let angle = entries.angle(&others, mistakes);
-    let residual_only = entries.outputs(linearisation.as_ref(), mistakes);
-    let lanes = entries.batch(pair, (gap, enforcement), mistakes);
+    named.check_parameters(mistakes);
+    let chosen = Chosen::new(&entries, &named, pair, mistakes);
     if mistakes.count() > before || !item.complete {
         return None;
     }
-    Some(Element {
-        name: item.name.clone(),
-        docs: item.docs.clone(),
-        dimension: dimension?,
-        slave: slave?.what,
-        master: master?.what,
-        law: law?.what,
-        tangential: tangential.map(|law| Tangential {
-            law: law.what,
-            axis,
-        }),
-        enforcement: enforcement?,
-        rolling: match rolling {
-            Some(law) => Some(Rolling {
+    named.with(chosen?, dimension?, item)
+}
+
+/// What the entries that name something stand for; `None` after a mistake, and where there is no entry.
+struct Named {
+    slave: Option<Side<Slave>>,
+    master: Option<Side<Master>>,
+    law: Option<Side<Rc<Law>>>,
+    tangential: Option<Side<Rc<TangentialLaw>>>,
+    rolling: Option<Side<Rc<TangentialLaw>>>,
+}
+
+impl Named {
+    fn new(entries: &Entries<'_>, registry: &Registry, mistakes: &mut Mistakes) -> Self {
+        let slave = entries
+            .require("slave", "slave: point;", mistakes)
+            .and_then(|entry| slave(entry, registry, mistakes));
+        let master = entries
+            .require("master", "master: Quad4;", mistakes)
+            .and_then(|entry| master(entry, registry, mistakes));
+        let law = entries
+            .require("normal", "normal: Penalty;", mistakes)
+            .and_then(|entry| normal(entry, registry, mistakes));
+        let mut tangential = |key: &str| {
+            let entry = entries.get(key)?;
+            tangential_law(entry, key, registry, mistakes)
+        };
+        Self {
+            slave,
+            master,
+            law,
+            tangential: tangential("tangential"),
+            rolling: tangential("rolling"),
+        }
+    }
+
+    fn check_parameters(&self, mistakes: &mut Mistakes) {
+        let laws = [self.tangential.as_ref(), self.rolling.as_ref()];
+        check_parameters(self.master.as_ref(), self.law.as_ref(), laws, mistakes);
+    }
+
+    /// The element with the choices made for it.
+    fn with(self, chosen: Chosen, dimension: usize, item: &ElementItem) -> Option<Element> {
+        Some(Element {
+            name: item.name.clone(),
+            docs: item.docs.clone(),
+            declaration: item.to_string(),
+            dimension,
+            slave: self.slave?.what,
+            master: self.master?.what,
+            law: self.law?.what,
+            tangential: self.tangential.map(|law| Tangential {
                 law: law.what,
-                reference: reference?,
+                axis: chosen.axis,
             }),
-            None => None,
-        },
-        angle,
-        gap: gap?,
-        linearisation: linearisation?.what,
-        measure: measure?,
-        residual_only: residual_only?,
-        lanes: lanes?,
-    })
+            enforcement: chosen.enforcement,
+            rolling: self.rolling.map(|law| Rolling {
+                law: law.what,
+                reference: chosen.reference,
+            }),
+            angle: chosen.angle,
+            gap: chosen.gap,
+            linearisation: chosen.linearisation,
+            measure: chosen.measure,
+            residual_only: chosen.residual_only,
+            lanes: chosen.lanes,
+        })
+    }
 }
 
-/// The entries of an element: known ones only, each once.
-struct Entries<'a> {
-    item: &'a ElementItem,
-    entries: Vec<&'a syntax::Entry>,
+/// The choices of the other entries.
+struct Chosen {
+    axis: Option<Axis>,
+    enforcement: Enforcement,
+    gap: Gap,
+    linearisation: Linearisation,
+    measure: Measure,
+    reference: Reference,
+    angle: Option<Angle>,
+    residual_only: bool,
+    lanes: bool,
 }
 
-impl<'a> Entries<'a> {
-    fn new(item: &'a ElementItem, mistakes: &mut Mistakes) -> Self {
-        let mut entries: Vec<&syntax::Entry> = Vec::new();
-        for entry in &item.entries {
-            let key = entry.key.to_string();
-            if !ENTRIES.contains(&key.as_str()) {
-                let message = names::unknown_entry(&key, "an element", &ENTRIES);
-                mistakes.report(entry.key.span(), message);
-            } else if entries.iter().any(|other| other.key == entry.key) {
-                mistakes.report(entry.key.span(), names::duplicate_entry(&key));
-            } else {
-                entries.push(entry);
-            }
-        }
-        Entries { item, entries }
-    }
-
-    fn get(&self, key: &str) -> Option<&'a syntax::Entry> {
-        self.entries.iter().find(|entry| entry.key == key).copied()
-    }
-
-    /// Whether an entry that is not there is missing rather than misspelt or misread.
-    fn is_whole(&self) -> bool {
-        self.item.complete && self.item.entries.len() == self.entries.len()
-    }
-
-    fn require(
-        &self,
-        key: &str,
-        example: &str,
-        mistakes: &mut Mistakes,
-    ) -> Option<&'a syntax::Entry> {
-        let entry = self.get(key);
-        if entry.is_none() && self.is_whole() {
-            let message = names::missing_entry(key, "an element", example);
-            mistakes.report(self.item.name.span(), message);
-        }
-        entry
-    }
-
-    /// 2 or 3; `None` after a mistake.
-    fn dimension(&self, mistakes: &mut Mistakes) -> Option<usize> {
-        let Some(entry) = self.get("dimension") else {
-            return Some(3);
-        };
-        plain(entry, mistakes);
-        match entry.word {
-            Word::Number(dimension @ (2 | 3), _) => Some(dimension),
-            _ => {
-                mistakes.report(entry.word.span(), messages::wrong_dimension());
-                None
-            }
-        }
-    }
-
-    /// One of some words, the first of which is the default; `None` after a mistake.
-    fn choice<T: Copy, const N: usize>(
-        &self,
-        key: &str,
-        choices: [(&str, T); N],
-        mistakes: &mut Mistakes,
-    ) -> Option<(T, Option<Span>)> {
-        let Some(entry) = self.get(key) else {
-            return Some((choices[0].1, None));
-        };
-        plain(entry, mistakes);
-        let text = match &entry.word {
-            Word::Name(name) => name.to_string(),
-            Word::Number(value, _) => value.to_string(),
-        };
-        let span = entry.word.span();
-        if let Some((_, value)) = choices.iter().find(|(word, _)| *word == text) {
-            return Some((*value, Some(span)));
-        }
-        let words = choices.map(|(word, _)| word);
-        mistakes.report(span, messages::unknown_choice(key, &text, &words));
-        None
-    }
-
-    /// The first axis of a tangential law with two; `None` without such a law, and after a mistake.
-    fn axis(
-        &self,
-        law: Option<&Side<Rc<TangentialLaw>>>,
+impl Chosen {
+    /// Reads every entry before it gives up, so that all mistakes are found; `None` after one.
+    fn new(
+        entries: &Entries<'_>,
+        named: &Named,
         pair: Option<(usize, &Slave, &Master)>,
         mistakes: &mut Mistakes,
-    ) -> Option<Axis> {
-        let choices = [("convected", Axis::Convected), ("slave", Axis::Slave)];
-        let chosen = self.choice("axis", choices, mistakes);
-        let written = self.get("axis").map(|entry| WrittenAxis {
-            key: entry.key.span(),
-            word: chosen.and_then(|(axis, span)| Some((axis, span?))),
-        });
-        let whole = self.is_whole();
-        if let Some(law) = law {
-            check_tangential(law, written.as_ref(), pair, whole, mistakes);
-        } else if let Some(written) = &written
-            && self.get("tangential").is_none()
-            && whole
-        {
-            mistakes.report(written.key, messages::axis_without_law());
-        }
-        written?.word.map(|(axis, _)| axis)
-    }
-
-    fn enforcement(
-        &self,
-        law: Option<&Side<Rc<Law>>>,
-        mistakes: &mut Mistakes,
-    ) -> Option<Enforcement> {
-        let choices = [
-            ("penalty", Enforcement::Penalty),
-            ("augmented", Enforcement::Augmented),
-            ("multiplier", Enforcement::Multiplier),
-        ];
-        let (chosen, span) = self.choice("enforcement", choices, mistakes)?;
-        if let (Some(span), Some(law), true) = (span, law, chosen != Enforcement::Penalty)
-            && !numeric::is_spring(&law.what)
-        {
-            let message = messages::enforcement_needs_spring(&law.what.name.to_string());
-            mistakes.report(span, message);
-        }
-        Some(chosen)
-    }
-
-    /// The directions from which the angles are measured; `None` after a mistake.
-    fn reference(
-        &self,
-        law: Option<&Side<Rc<TangentialLaw>>>,
-        pair: Option<(usize, &Slave, &Master)>,
-        mistakes: &mut Mistakes,
-    ) -> Option<Reference> {
-        let choices = [
-            ("principal_normal", Reference::PrincipalNormal),
-            ("given", Reference::Director),
-        ];
-        let (reference, span) = self.choice("director", choices, mistakes)?;
-        match (law, span) {
-            (Some(law), _) => check_reference(law, reference, pair, mistakes),
-            (None, Some(span)) if self.get("rolling").is_none() && self.is_whole() => {
-                mistakes.report(span, messages::director_without_rolling());
-            }
-            _ => {}
-        }
-        Some(reference)
-    }
-
-    /// The other entries on which a law of rolling depends.
-    fn check_rolling(
-        &self,
-        law: Option<&Side<Rc<TangentialLaw>>>,
-        (gap, linearisation, enforcement): Choices,
-        mistakes: &mut Mistakes,
-    ) {
-        let Some(law) = law else { return };
-        let name = law.what.name.to_string();
-        if self.get("tangential").is_none() && self.is_whole() {
-            mistakes.report(law.span, messages::rolling_without_friction(&name));
-        }
-        if gap == Some(Gap::Signed) {
-            mistakes.report(law.span, messages::rolling_of_edges(&name));
-        }
-        if linearisation == Some(Linearisation::TangentPlane) {
-            mistakes.report(law.span, messages::rolling_on_tangent_plane(&name));
-        }
-        if enforcement == Some(Enforcement::Multiplier) {
-            mistakes.report(law.span, messages::rolling_with_multiplier(&name));
-        }
-    }
-
-    /// The angles at which the contact acts; `None` for all angles, and after a mistake.
-    fn angle(&self, others: &Others<'_>, mistakes: &mut Mistakes) -> Option<Angle> {
-        self.get("angle")?;
-        let choices = [("large", Angle::Large), ("small", Angle::Small)];
-        let (angle, span) = self.choice("angle", choices, mistakes)?;
-        let has_friction = ["tangential", "rolling"].map(|key| self.get(key).is_some());
-        check_angle(others, has_friction.contains(&true), span?, mistakes);
-        Some(angle)
-    }
-
-    fn gap(&self, pair: Option<(usize, &Slave, &Master)>, mistakes: &mut Mistakes) -> Option<Gap> {
-        let choices = [
-            ("distance", Gap::Distance),
-            ("signed", Gap::Signed),
-            ("oriented", Gap::Oriented),
-        ];
-        let (chosen, span) = self.choice("gap", choices, mistakes)?;
-        // A pair that cannot meet has no gap to speak of.
-        let (dimension, slave, master) = pair?;
-        match (only_gap(dimension, slave, master), span) {
-            (None, Some(span)) if chosen == Gap::Oriented => {
-                mistakes.report(span, messages::gap_not_oriented());
-                None
-            }
-            (None, Some(_)) => Some(chosen),
-            (None, None) => {
-                mistakes.report(self.item.name.span(), messages::gap_missing());
-                None
-            }
-            (Some((Gap::Distance, _)), Some(_)) if chosen == Gap::Oriented => Some(chosen),
-            (Some((only, reason)), Some(span)) if only != chosen => {
-                let word = |gap| match gap {
-                    Gap::Signed => "signed",
-                    Gap::Distance => "distance",
-                    Gap::Oriented => "oriented",
-                };
-                let message = messages::gap_not_possible(word(chosen), word(only), reason);
-                mistakes.report(span, message);
-                None
-            }
-            (Some((only, _)), _) => Some(only),
-        }
-    }
-
-    fn linearisation(
-        &self,
-        master: Option<&Side<Master>>,
-        mistakes: &mut Mistakes,
-    ) -> Option<Side<Linearisation>> {
-        let choices = [
-            ("exact", Linearisation::Exact),
-            ("tangent_plane", Linearisation::TangentPlane),
-        ];
-        let (what, span) = self.choice("linearisation", choices, mistakes)?;
-        let span = span.unwrap_or_else(|| self.item.name.span());
-        if what == Linearisation::TangentPlane
-            && let Some(master) = master
-            && master.what.projected() == 0
-        {
-            let name = master.what.name();
-            mistakes.report(span, messages::tangent_plane_without_projection(&name));
-        }
-        Some(Side { what, span })
-    }
-
-    fn measure(
-        &self,
-        slave: Option<&Side<Slave>>,
-        enforcement: Option<Enforcement>,
-        mistakes: &mut Mistakes,
-    ) -> Option<Measure> {
-        let choices = [
-            ("reference", Measure::Reference),
-            ("current", Measure::Current),
-        ];
-        let (measure, span) = self.choice("measure", choices, mistakes)?;
-        if let (Measure::Current, Some(span), Some(slave)) = (measure, span, slave)
-            && !slave.what.has_own_points()
-        {
-            mistakes.report(span, messages::measure_without_rule());
-        }
-        if let (Measure::Current, Some(span), Some(Enforcement::Multiplier)) =
-            (measure, span, enforcement)
-        {
-            mistakes.report(span, messages::measure_of_multiplier());
-        }
-        Some(measure)
-    }
-
-    /// Whether a batch is evaluated in lanes; `None` after a mistake.
-    fn batch(
-        &self,
-        pair: Option<(usize, &Slave, &Master)>,
-        (gap, enforcement): (Option<Gap>, Option<Enforcement>),
-        mistakes: &mut Mistakes,
-    ) -> Option<bool> {
-        let choices = [("single", false), ("lanes", true)];
-        let (lanes, span) = self.choice("batch", choices, mistakes)?;
-        let is_plain = ["tangential", "rolling", "angle"]
-            .iter()
-            .all(|key| self.get(key).is_none());
-        let is_pair = pair.is_none_or(|(_, slave, master)| {
-            // edges take their side from the history
-            let is_edge = matches!(slave, Slave::Projected(_)) && gap == Some(Gap::Signed);
-            matches!(slave, Slave::Point | Slave::Projected(_))
-                && matches!(master, Master::Shape(_))
-                && !is_edge
-        });
-        let is_penalty = enforcement.is_none_or(|own| own == Enforcement::Penalty);
-        if let (true, Some(span)) = (lanes, span)
-            && !(is_plain && is_pair && is_penalty)
-        {
-            mistakes.report(span, messages::no_lanes());
-        }
-        Some(lanes)
-    }
-
-    fn outputs(
-        &self,
-        linearisation: Option<&Side<Linearisation>>,
-        mistakes: &mut Mistakes,
-    ) -> Option<bool> {
-        let choices = [("residual_and_tangent", false), ("residual", true)];
-        let (residual_only, _) = self.choice("outputs", choices, mistakes)?;
-        if let Some(Side {
-            what: Linearisation::TangentPlane,
-            span,
-        }) = linearisation
-            && residual_only
-        {
-            mistakes.report(*span, messages::tangent_plane_of_residual());
-        }
-        Some(residual_only)
+    ) -> Option<Self> {
+        let rolling = named.rolling.as_ref();
+        let axis = entries.axis(named.tangential.as_ref(), pair, mistakes);
+        let enforcement = entries.enforcement(named.law.as_ref(), mistakes);
+        let gap = entries.gap(pair, mistakes);
+        let linearisation = entries.linearisation(named.master.as_ref(), mistakes);
+        let measure = entries.measure(named.slave.as_ref(), enforcement, mistakes);
+        let reference = entries.reference(rolling, pair, mistakes);
+        let linearised = linearisation.as_ref().map(|chosen| chosen.what);
+        let choices = (gap, linearised, enforcement);
+        entries.check_rolling(rolling, choices, mistakes);
+        let others = Others {
+            pair,
+            law: named.law.as_ref(),
+            choices,
+            measure,
+        };
+        let angle = entries.angle(&others, mistakes);
+        let residual_only = entries.outputs(linearisation.as_ref(), mistakes);
+        let lanes = entries.batch(pair, (gap, enforcement), mistakes);
+        Some(Self {
+            axis,
+            enforcement: enforcement?,
+            gap: gap?,
+            linearisation: linearised?,
+            measure: measure?,
+            reference: reference?,
+            angle,
+            residual_only: residual_only?,
+            lanes: lanes?,
+        })
     }
 }

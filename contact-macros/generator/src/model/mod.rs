@@ -9,13 +9,14 @@
 //! | what do names of items stand for? | `registry` |
 //! | what do names in expressions stand for? | `scope`, `expression` |
 //! | which fields does a block have? | `fields` |
-//! | is this a geometry, a law, an element? | `geometry` (`domain`), `law`, `tangential`, `element` (`pair`, `rule`, `law_entries`, `rolling`, `angle`) |
+//! | is this a geometry, a law, an element? | `geometry` (`domain`), `law`, `tangential`, `element` (`entries`, `pair`, `rule`, `law_entries`, `rolling`, `angle`) |
 //! | which parameters are there? | `parameter` |
 //! | do the numbers agree? | `numeric` |
 
 mod angle;
 mod domain;
 mod element;
+mod entries;
 mod expression;
 mod fields;
 mod geometry;

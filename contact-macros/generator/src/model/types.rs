@@ -227,6 +227,8 @@ pub struct Element {
     pub name: Ident,
     /// The doc comment.
     pub docs: String,
+    /// The declaration as written, in one line.
+    pub declaration: String,
     /// Components of a position: 2 or 3.
     pub dimension: usize,
     /// Whose points are projected.

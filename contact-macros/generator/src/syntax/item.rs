@@ -1,5 +1,7 @@
 //! The types of a declaration as written.
 
+use std::fmt;
+
 use proc_macro2::Span;
 use syn::{Ident, LitStr};
 
@@ -87,6 +89,16 @@ pub struct ElementItem {
     pub entries: Vec<Entry>,
     /// Whether all entries could be read.
     pub complete: bool,
+}
+
+impl fmt::Display for ElementItem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "element {} {{", self.name)?;
+        for entry in &self.entries {
+            write!(f, " {entry};")?;
+        }
+        write!(f, " }}")
+    }
 }
 
 /// `(coordinates; parameters)`.
@@ -200,6 +212,19 @@ pub struct Entry {
     pub placed: Option<Ident>,
 }
 
+impl fmt::Display for Entry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.key, self.word)?;
+        if let Some(rule) = &self.rule {
+            write!(f, " at {rule}")?;
+        }
+        match &self.placed {
+            Some(word) => write!(f, " {word}"),
+            None => Ok(()),
+        }
+    }
+}
+
 /// A name or a whole number.
 #[derive(Debug, Clone)]
 pub enum Word {
@@ -209,6 +234,15 @@ pub enum Word {
     Number(usize, Span),
 }
 
+impl fmt::Display for Word {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Word::Name(name) => name.fmt(f),
+            Word::Number(value, _) => value.fmt(f),
+        }
+    }
+}
+
 /// `gauss(2, 2)` or `given`.
 #[derive(Debug, Clone)]
 pub struct Rule {
@@ -216,6 +250,17 @@ pub struct Rule {
     pub name: Ident,
     /// The numbers in brackets, each with its place.
     pub points: Option<Vec<(usize, Span)>>,
+}
+
+impl fmt::Display for Rule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.name.fmt(f)?;
+        let Some(points) = &self.points else {
+            return Ok(());
+        };
+        let points: Vec<String> = points.iter().map(|(count, _)| count.to_string()).collect();
+        write!(f, "({})", points.join(", "))
+    }
 }
 
 impl GeometryKind {

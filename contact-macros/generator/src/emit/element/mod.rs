@@ -2,6 +2,7 @@
 //!
 //! | file | question |
 //! |---|---|
+//! | `header` | how the emitted source introduces itself |
 //! | `implementation` | how the element is evaluated: constants, search, domains |
 //! | `slave` | which shape row the slave has |
 //! | `kinematics` | where slave and master are |
@@ -20,6 +21,7 @@ mod expressions;
 mod friction;
 mod friction_tangent;
 mod gap;
+mod header;
 mod implementation;
 mod kinematics;
 mod measure;
@@ -38,6 +40,7 @@ use crate::formulate::{AnglePrograms, FormulatedElement};
 use description::tables;
 use descriptor::descriptor;
 pub use friction::emit_friction;
+use header::header;
 use implementation::implementation;
 use slave::statics;
 
@@ -46,6 +49,7 @@ pub fn emit_element(e: &FormulatedElement<'_>) -> TokenStream {
     let name = &e.declared.name;
     let docs = &e.declared.docs;
     let module = format_ident!("_element_{}", name.to_string().to_lowercase());
+    let header = header(e);
     let functions = functions(e);
     let statics = statics(e);
     let implementation = implementation(e);
@@ -57,6 +61,7 @@ pub fn emit_element(e: &FormulatedElement<'_>) -> TokenStream {
         #[derive(Clone, Copy, Debug)]
         pub struct #name;
 
+        #(#[doc = #header])*
         #[allow(non_snake_case, unused_variables, clippy::all)]
         mod #module {
             use super::*;

@@ -1,15 +1,9 @@
 //! The emitted source of the built-in elements is always the same, readable, of known cost, and has every term.
-//!
-//! The files in `tests/golden` are compared; `CONTACT_BLESS=1 cargo test -p contact-generator golden`
-//! rewrites them. Look at the difference before you commit it: it is a change of what users run.
-
-use std::fmt::Write as _;
-use std::path::Path;
 
 use crate::emit::{emit_element, readable};
 use crate::expand::{expand_library, library_elements};
-use crate::formulate::{FormulatedElement, Routine, formulate};
-use crate::model::{Body, Linearisation, Master, Model};
+use crate::formulate::{FormulatedElement, formulate};
+use crate::model::{Linearisation, Master};
 
 /// Most bytes of the formatted source of one element.
 const MOST_BYTES: usize = 200_000;
@@ -37,25 +31,6 @@ fn source(element: &FormulatedElement<'_>) -> String {
     readable(&emit_element(element)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-/// Asserts that a golden file has this text; with `CONTACT_BLESS=1` it is written.
-fn assert_golden(name: &str, text: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/golden")
-        .join(name);
-    if std::env::var("CONTACT_BLESS").is_ok_and(|value| value == "1") {
-        std::fs::write(&path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    }
-    let found = std::fs::read_to_string(&path).unwrap_or_else(|error| {
-        panic!("{}: {error}; CONTACT_BLESS=1 writes it", path.display());
-    });
-    let mut lines = found.lines().zip(text.lines()).enumerate();
-    if let Some((number, (old, new))) = lines.find(|(_, (old, new))| old != new) {
-        let (path, number) = (path.display(), number + 1);
-        panic!("{path}:{number} differs; CONTACT_BLESS=1 writes it\nfound: {old}\nemitted: {new}");
-    }
-    assert!(found == text, "{}: another length", path.display());
-}
-
 #[test]
 fn emission_is_deterministic() {
     for part in ["geometries", "laws", "elements", "elements_extended"] {
@@ -74,45 +49,6 @@ fn sources_parse_and_are_small() {
             element.declared.name
         );
     });
-}
-
-#[test]
-fn golden_source_of_a_small_element() {
-    for_each_element(|element| {
-        if element.declared.name == "PointPoint2d" {
-            assert_golden("point_point2d.rs", &source(element));
-        }
-    });
-}
-
-/// A jump in cost shows here before it shows in a benchmark.
-#[test]
-fn golden_operation_counts() {
-    let mut table = format!(
-        "{:<40}{:>6}{:>9}{:>9}\n",
-        "element", "gap", "tangent", "measure"
-    );
-    let count = |routine: Option<&Routine>| match routine {
-        Some(routine) => routine.operations().to_string(),
-        None => "-".to_string(),
-    };
-    for_each_element(|element| {
-        let name = element.declared.name.to_string();
-        let gap = count(Some(&element.gap));
-        let tangent = count(element.tangent.as_ref());
-        let measure = count(element.measure.as_ref());
-        let _ = writeln!(table, "{name:<40}{gap:>6}{tangent:>9}{measure:>9}");
-    });
-    let _ = writeln!(table, "\n{:<40}{:>6}", "geometry", "rows");
-    let library = Model::library();
-    let formulation = formulate(&library).expect("small programs");
-    for geometry in &formulation.geometries {
-        if !matches!(geometry.declared.body, Body::Distance { .. }) {
-            let (name, rows) = (&geometry.declared.name, geometry.values.operations());
-            let _ = writeln!(table, "{:<40}{rows:>6}", name.to_string());
-        }
-    }
-    assert_golden("operations.txt", &table);
 }
 
 #[test]

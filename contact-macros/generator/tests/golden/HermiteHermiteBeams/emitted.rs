@@ -4,7 +4,7 @@ pub struct HermiteHermiteBeams;
 /// ```text
 /// element HermiteHermiteBeams { slave: Hermite; master: Hermite; gap: distance; normal: Penalty; }
 ///
-/// pair          3 dimensions, 4 nodes of the slave, 4 nodes of the master
+/// pair          3 dimensions, slave of 4 nodes, master of 4 nodes
 /// projection    2 parameters, by Newton's method
 /// gap           distance
 /// tangent       exact at any gap
@@ -16,10 +16,12 @@ pub struct HermiteHermiteBeams;
 mod _element_hermitehermitebeams {
     use super::*;
     #[allow(unused_imports)]
-    use ::contact_elements::program::{
-        AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
-        GeometryPrograms, LawPrograms, MasterDescription, Operation, Program,
-        RollingDescription, SlaveDescription, TangentialLawPrograms, Term,
+    use ::contact_elements::ElementDescription;
+    #[allow(unused_imports)]
+    use ::contact_elements::table::{
+        AngleDescription, AxisDescription, ElementPrograms, GeometryPrograms,
+        LawPrograms, MasterDescription, Operation, RollingDescription, SlaveDescription,
+        Table, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -402,7 +404,7 @@ mod _element_hermitehermitebeams {
         call: &runtime::Call<'_>,
         nodes: &runtime::Nodes<'_>,
         memory: &mut [f64],
-        target: &mut ::contact_elements::abi::Target,
+        target: &mut ::contact_elements::Target<'_>,
     ) -> Result<runtime::Summary, runtime::InputError> {
         runtime::fixed::<
             HermiteHermiteBeams,
@@ -416,9 +418,9 @@ mod _element_hermitehermitebeams {
         >(call, nodes, &[false, true, false, true, false, true, false, true], target)
     }
     impl HermiteHermiteBeams {
-        /// What the C interface knows of this element.
-        pub const DESCRIPTOR: &'static ::contact_elements::abi::Descriptor = {
-            static DESCRIPTOR: ::contact_elements::abi::Descriptor = ::contact_elements::abi::Descriptor {
+        /// This element with its kernels.
+        pub const DESCRIPTOR: &'static ::contact_elements::Registered = {
+            static DESCRIPTOR: ::contact_elements::Registered = ::contact_elements::Registered {
                 descriptor: ::contact_elements::Descriptor {
                     name: "HermiteHermiteBeams\0",
                     documentation: "Two cubic Hermite beams.\0",
@@ -429,14 +431,14 @@ mod _element_hermitehermitebeams {
                     points: 1,
                     projected: 2,
                     parameters: &[
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "eps_n\0",
                             unit: "force/length\0",
                             lower: 0.0,
                             upper: f64::INFINITY,
                             closed: false,
                         },
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "r0\0",
                             unit: "length\0",
                             lower: 0.0,
@@ -497,7 +499,7 @@ mod _element_hermitehermitebeams {
     impl HermiteHermiteBeams {
         /// The programs of this element, for verification.
         pub const PROGRAMS: ElementPrograms = ElementPrograms {
-            gap: Program {
+            gap: Table {
                 name: "gap",
                 inputs: &[
                     "r_0",
@@ -547,7 +549,7 @@ mod _element_hermitehermitebeams {
                     }
                 },
             },
-            tangent: Some(Program {
+            tangent: Some(Table {
                 name: "tangent",
                 inputs: &[
                     "n_0",

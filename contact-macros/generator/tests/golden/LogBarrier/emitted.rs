@@ -6,10 +6,12 @@ pub struct LogBarrier;
 mod _law_logbarrier {
     use super::LogBarrier;
     #[allow(unused_imports)]
-    use ::contact_elements::program::{
-        AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
-        GeometryPrograms, LawPrograms, MasterDescription, Operation, Program,
-        RollingDescription, SlaveDescription, TangentialLawPrograms, Term,
+    use ::contact_elements::ElementDescription;
+    #[allow(unused_imports)]
+    use ::contact_elements::table::{
+        AngleDescription, AxisDescription, ElementPrograms, GeometryPrograms,
+        LawPrograms, MasterDescription, Operation, RollingDescription, SlaveDescription,
+        Table, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -103,7 +105,7 @@ mod _law_logbarrier {
         /// The programs of this law, for verification.
         pub const PROGRAMS: LawPrograms = LawPrograms {
             name: "LogBarrier",
-            law: Program {
+            law: Table {
                 name: "law",
                 inputs: &["gap", "kappa", "d"],
                 operations: &[
@@ -167,7 +169,7 @@ mod _law_logbarrier {
                     }
                 },
             },
-            active: Program {
+            active: Table {
                 name: "active",
                 inputs: &["gap", "kappa", "d"],
                 operations: &[
@@ -186,7 +188,7 @@ mod _law_logbarrier {
                     }
                 },
             },
-            valid: Some(Program {
+            valid: Some(Table {
                 name: "valid",
                 inputs: &["gap", "kappa", "d"],
                 operations: &[Operation::Input(0)],

@@ -4,7 +4,7 @@ pub struct PointQuad4;
 /// ```text
 /// element PointQuad4 { slave: point; master: Quad4; normal: Penalty; batch: lanes; }
 ///
-/// pair          3 dimensions, 1 nodes of the slave, 4 nodes of the master
+/// pair          3 dimensions, slave of 1 node, master of 4 nodes
 /// projection    2 parameters, by Newton's method
 /// gap           signed, along the normal
 /// tangent       exact at any gap
@@ -16,10 +16,12 @@ pub struct PointQuad4;
 mod _element_pointquad4 {
     use super::*;
     #[allow(unused_imports)]
-    use ::contact_elements::program::{
-        AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
-        GeometryPrograms, LawPrograms, MasterDescription, Operation, Program,
-        RollingDescription, SlaveDescription, TangentialLawPrograms, Term,
+    use ::contact_elements::ElementDescription;
+    #[allow(unused_imports)]
+    use ::contact_elements::table::{
+        AngleDescription, AxisDescription, ElementPrograms, GeometryPrograms,
+        LawPrograms, MasterDescription, Operation, RollingDescription, SlaveDescription,
+        Table, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -421,7 +423,7 @@ mod _element_pointquad4 {
             runtime::Measure::default()
         }
     }
-    fn lanes(run: &mut ::contact_elements::abi::Run<'_>, width: runtime::Width) {
+    fn lanes(run: &mut ::contact_elements::Run<'_>, width: runtime::Width) {
         runtime::evaluate_batch::<
             PointQuad4,
             _,
@@ -432,7 +434,7 @@ mod _element_pointquad4 {
         >(run, width, &[false, false, false, false, false])
     }
     fn screen(
-        run: &::contact_elements::abi::Run<'_>,
+        run: &::contact_elements::Run<'_>,
         place: (usize, usize),
         bounds: &mut [f64; runtime::SCREENED],
     ) -> u32 {
@@ -449,7 +451,7 @@ mod _element_pointquad4 {
         call: &runtime::Call<'_>,
         nodes: &runtime::Nodes<'_>,
         memory: &mut [f64],
-        target: &mut ::contact_elements::abi::Target,
+        target: &mut ::contact_elements::Target<'_>,
     ) -> Result<runtime::Summary, runtime::InputError> {
         runtime::fixed::<
             PointQuad4,
@@ -463,9 +465,9 @@ mod _element_pointquad4 {
         >(call, nodes, &[false, false, false, false, false], target)
     }
     impl PointQuad4 {
-        /// What the C interface knows of this element.
-        pub const DESCRIPTOR: &'static ::contact_elements::abi::Descriptor = {
-            static DESCRIPTOR: ::contact_elements::abi::Descriptor = ::contact_elements::abi::Descriptor {
+        /// This element with its kernels.
+        pub const DESCRIPTOR: &'static ::contact_elements::Registered = {
+            static DESCRIPTOR: ::contact_elements::Registered = ::contact_elements::Registered {
                 descriptor: ::contact_elements::Descriptor {
                     name: "PointQuad4\0",
                     documentation: "Point against a bilinear facet.\0",
@@ -476,21 +478,21 @@ mod _element_pointquad4 {
                     points: 1,
                     projected: 2,
                     parameters: &[
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "eps_n\0",
                             unit: "force/length\0",
                             lower: 0.0,
                             upper: f64::INFINITY,
                             closed: false,
                         },
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "r0\0",
                             unit: "length\0",
                             lower: f64::NEG_INFINITY,
                             upper: f64::INFINITY,
                             closed: true,
                         },
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "orientation\0",
                             unit: "1\0",
                             lower: -1.0,
@@ -549,7 +551,7 @@ mod _element_pointquad4 {
     impl PointQuad4 {
         /// The programs of this element, for verification.
         pub const PROGRAMS: ElementPrograms = ElementPrograms {
-            gap: Program {
+            gap: Table {
                 name: "gap",
                 inputs: &[
                     "r_0",
@@ -638,7 +640,7 @@ mod _element_pointquad4 {
                     }
                 },
             },
-            tangent: Some(Program {
+            tangent: Some(Table {
                 name: "tangent",
                 inputs: &[
                     "n_0",

@@ -1,10 +1,12 @@
 #[allow(non_snake_case, non_upper_case_globals, unused_variables, clippy::all)]
 mod friction {
     #[allow(unused_imports)]
-    use ::contact_elements::program::{
-        AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
-        GeometryPrograms, LawPrograms, MasterDescription, Operation, Program,
-        RollingDescription, SlaveDescription, TangentialLawPrograms, Term,
+    use ::contact_elements::ElementDescription;
+    #[allow(unused_imports)]
+    use ::contact_elements::table::{
+        AngleDescription, AxisDescription, ElementPrograms, GeometryPrograms,
+        LawPrograms, MasterDescription, Operation, RollingDescription, SlaveDescription,
+        Table, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -75,7 +77,7 @@ mod friction {
         let e_1_1 = t38 * t63;
         [s_0, s_1, e_0_0, e_0_1, 0.0, e_1_1, 1.0]
     }
-    pub(super) const frame_e67ed595d8b01e9c_TABLE: Program = Program {
+    pub(super) const frame_e67ed595d8b01e9c_TABLE: Table = Table {
         name: "frame",
         inputs: &[
             "n_0",
@@ -275,7 +277,7 @@ mod friction {
         let turn_1 = distance * t106;
         [force_0, force_1, force_2, turn_0, turn_1]
     }
-    pub(super) const tangential_residual_a145a424134ed898_TABLE: Program = Program {
+    pub(super) const tangential_residual_a145a424134ed898_TABLE: Table = Table {
         name: "tangential_residual",
         inputs: &[
             "n_0",
@@ -981,7 +983,7 @@ mod friction {
             cross_1,
         ]
     }
-    pub(super) const tangential_tangent_379a45c4216c869c_TABLE: Program = Program {
+    pub(super) const tangential_tangent_379a45c4216c869c_TABLE: Table = Table {
         name: "tangential_tangent",
         inputs: &[
             "n_0",
@@ -1758,7 +1760,7 @@ pub struct PointQuad4Coulomb;
 /// ```text
 /// element PointQuad4Coulomb { slave: point; master: Quad4; normal: Penalty; tangential: Coulomb; }
 ///
-/// pair          3 dimensions, 1 nodes of the slave, 4 nodes of the master
+/// pair          3 dimensions, slave of 1 node, master of 4 nodes
 /// projection    2 parameters, by Newton's method
 /// gap           signed, along the normal
 /// tangent       exact at any gap
@@ -1772,10 +1774,12 @@ pub struct PointQuad4Coulomb;
 mod _element_pointquad4coulomb {
     use super::*;
     #[allow(unused_imports)]
-    use ::contact_elements::program::{
-        AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
-        GeometryPrograms, LawPrograms, MasterDescription, Operation, Program,
-        RollingDescription, SlaveDescription, TangentialLawPrograms, Term,
+    use ::contact_elements::ElementDescription;
+    #[allow(unused_imports)]
+    use ::contact_elements::table::{
+        AngleDescription, AxisDescription, ElementPrograms, GeometryPrograms,
+        LawPrograms, MasterDescription, Operation, RollingDescription, SlaveDescription,
+        Table, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -2282,7 +2286,7 @@ mod _element_pointquad4coulomb {
         }
     }
     fn screen(
-        run: &::contact_elements::abi::Run<'_>,
+        run: &::contact_elements::Run<'_>,
         place: (usize, usize),
         bounds: &mut [f64; runtime::SCREENED],
     ) -> u32 {
@@ -2299,7 +2303,7 @@ mod _element_pointquad4coulomb {
         call: &runtime::Call<'_>,
         nodes: &runtime::Nodes<'_>,
         memory: &mut [f64],
-        target: &mut ::contact_elements::abi::Target,
+        target: &mut ::contact_elements::Target<'_>,
     ) -> Result<runtime::Summary, runtime::InputError> {
         runtime::fixed::<
             PointQuad4Coulomb,
@@ -2313,9 +2317,9 @@ mod _element_pointquad4coulomb {
         >(call, nodes, &[false, false, false, false, false], target)
     }
     impl PointQuad4Coulomb {
-        /// What the C interface knows of this element.
-        pub const DESCRIPTOR: &'static ::contact_elements::abi::Descriptor = {
-            static DESCRIPTOR: ::contact_elements::abi::Descriptor = ::contact_elements::abi::Descriptor {
+        /// This element with its kernels.
+        pub const DESCRIPTOR: &'static ::contact_elements::Registered = {
+            static DESCRIPTOR: ::contact_elements::Registered = ::contact_elements::Registered {
                 descriptor: ::contact_elements::Descriptor {
                     name: "PointQuad4Coulomb\0",
                     documentation: "Point against a bilinear facet, Coulomb friction.\0",
@@ -2326,35 +2330,35 @@ mod _element_pointquad4coulomb {
                     points: 1,
                     projected: 2,
                     parameters: &[
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "eps_n\0",
                             unit: "force/length\0",
                             lower: 0.0,
                             upper: f64::INFINITY,
                             closed: false,
                         },
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "eps_t\0",
                             unit: "force/length\0",
                             lower: 0.0,
                             upper: f64::INFINITY,
                             closed: false,
                         },
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "mu\0",
                             unit: "1\0",
                             lower: 0.0,
                             upper: f64::INFINITY,
                             closed: true,
                         },
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "r0\0",
                             unit: "length\0",
                             lower: f64::NEG_INFINITY,
                             upper: f64::INFINITY,
                             closed: true,
                         },
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "orientation\0",
                             unit: "1\0",
                             lower: -1.0,
@@ -2417,7 +2421,7 @@ mod _element_pointquad4coulomb {
     impl PointQuad4Coulomb {
         /// The programs of this element, for verification.
         pub const PROGRAMS: ElementPrograms = ElementPrograms {
-            gap: Program {
+            gap: Table {
                 name: "gap",
                 inputs: &[
                     "r_0",
@@ -2506,7 +2510,7 @@ mod _element_pointquad4coulomb {
                     }
                 },
             },
-            tangent: Some(Program {
+            tangent: Some(Table {
                 name: "tangent",
                 inputs: &[
                     "n_0",

@@ -5,10 +5,12 @@ pub struct Quad4;
 mod _geometry_quad4 {
     use super::Quad4;
     #[allow(unused_imports)]
-    use ::contact_elements::program::{
-        AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
-        GeometryPrograms, LawPrograms, MasterDescription, Operation, Program,
-        RollingDescription, SlaveDescription, TangentialLawPrograms, Term,
+    use ::contact_elements::ElementDescription;
+    #[allow(unused_imports)]
+    use ::contact_elements::table::{
+        AngleDescription, AxisDescription, ElementPrograms, GeometryPrograms,
+        LawPrograms, MasterDescription, Operation, RollingDescription, SlaveDescription,
+        Table, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -144,7 +146,7 @@ mod _geometry_quad4 {
         pub const PROGRAMS: &'static GeometryPrograms = {
             static PROGRAMS: GeometryPrograms = GeometryPrograms {
                 name: "Quad4",
-                values: Program {
+                values: Table {
                     name: "rows",
                     inputs: &["xi", "eta"],
                     operations: &[
@@ -213,7 +215,7 @@ mod _geometry_quad4 {
                         }
                     },
                 },
-                third: Some(Program {
+                third: Some(Table {
                     name: "rows_third",
                     inputs: &["xi", "eta"],
                     operations: &[Operation::Constant(0.0)],

@@ -4,7 +4,7 @@ pub struct Quad4Quad4;
 /// ```text
 /// element Quad4Quad4 { slave: Quad4 at gauss(2, 2); master: Quad4; normal: Penalty; }
 ///
-/// pair          3 dimensions, 4 nodes of the slave, 4 nodes of the master, 4 integration points, area of the reference configuration
+/// pair          3 dimensions, slave of 4 nodes, master of 4 nodes, 4 integration points, area of the reference configuration
 /// projection    2 parameters, by Newton's method
 /// gap           signed, along the normal
 /// tangent       exact at any gap
@@ -16,10 +16,12 @@ pub struct Quad4Quad4;
 mod _element_quad4quad4 {
     use super::*;
     #[allow(unused_imports)]
-    use ::contact_elements::program::{
-        AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
-        GeometryPrograms, LawPrograms, MasterDescription, Operation, Program,
-        RollingDescription, SlaveDescription, TangentialLawPrograms, Term,
+    use ::contact_elements::ElementDescription;
+    #[allow(unused_imports)]
+    use ::contact_elements::table::{
+        AngleDescription, AxisDescription, ElementPrograms, GeometryPrograms,
+        LawPrograms, MasterDescription, Operation, RollingDescription, SlaveDescription,
+        Table, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -554,7 +556,7 @@ mod _element_quad4quad4 {
         call: &runtime::Call<'_>,
         nodes: &runtime::Nodes<'_>,
         memory: &mut [f64],
-        target: &mut ::contact_elements::abi::Target,
+        target: &mut ::contact_elements::Target<'_>,
     ) -> Result<runtime::Summary, runtime::InputError> {
         runtime::fixed::<
             Quad4Quad4,
@@ -568,9 +570,9 @@ mod _element_quad4quad4 {
         >(call, nodes, &[false, false, false, false, false, false, false, false], target)
     }
     impl Quad4Quad4 {
-        /// What the C interface knows of this element.
-        pub const DESCRIPTOR: &'static ::contact_elements::abi::Descriptor = {
-            static DESCRIPTOR: ::contact_elements::abi::Descriptor = ::contact_elements::abi::Descriptor {
+        /// This element with its kernels.
+        pub const DESCRIPTOR: &'static ::contact_elements::Registered = {
+            static DESCRIPTOR: ::contact_elements::Registered = ::contact_elements::Registered {
                 descriptor: ::contact_elements::Descriptor {
                     name: "Quad4Quad4\0",
                     documentation: "Bilinear facet on bilinear facet.\0",
@@ -581,21 +583,21 @@ mod _element_quad4quad4 {
                     points: 4,
                     projected: 2,
                     parameters: &[
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "eps_n\0",
                             unit: "force/length\0",
                             lower: 0.0,
                             upper: f64::INFINITY,
                             closed: false,
                         },
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "r0\0",
                             unit: "length\0",
                             lower: f64::NEG_INFINITY,
                             upper: f64::INFINITY,
                             closed: true,
                         },
-                        ::contact_elements::abi::Parameter {
+                        ::contact_elements::Parameter {
                             name: "orientation\0",
                             unit: "1\0",
                             lower: -1.0,
@@ -670,7 +672,7 @@ mod _element_quad4quad4 {
     impl Quad4Quad4 {
         /// The programs of this element, for verification.
         pub const PROGRAMS: ElementPrograms = ElementPrograms {
-            gap: Program {
+            gap: Table {
                 name: "gap",
                 inputs: &[
                     "r_0",
@@ -759,7 +761,7 @@ mod _element_quad4quad4 {
                     }
                 },
             },
-            tangent: Some(Program {
+            tangent: Some(Table {
                 name: "tangent",
                 inputs: &[
                     "n_0",
@@ -1051,7 +1053,7 @@ mod _element_quad4quad4 {
                     }
                 },
             }),
-            measure: Some(Program {
+            measure: Some(Table {
                 name: "measure_reference",
                 inputs: &["t_0_0", "t_0_1", "t_0_2", "t_1_0", "t_1_1", "t_1_2"],
                 operations: &[

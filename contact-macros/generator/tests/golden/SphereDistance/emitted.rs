@@ -5,10 +5,12 @@ pub struct SphereDistance;
 mod _geometry_spheredistance {
     use super::SphereDistance;
     #[allow(unused_imports)]
-    use ::contact_elements::program::{
-        AngleDescription, AxisDescription, ElementDescription, ElementPrograms,
-        GeometryPrograms, LawPrograms, MasterDescription, Operation, Program,
-        RollingDescription, SlaveDescription, TangentialLawPrograms, Term,
+    use ::contact_elements::ElementDescription;
+    #[allow(unused_imports)]
+    use ::contact_elements::table::{
+        AngleDescription, AxisDescription, ElementPrograms, GeometryPrograms,
+        LawPrograms, MasterDescription, Operation, RollingDescription, SlaveDescription,
+        Table, TangentialLawPrograms, Term,
     };
     #[allow(unused_imports)]
     use ::contact_elements::runtime;
@@ -44,7 +46,7 @@ mod _geometry_spheredistance {
         pub const PROGRAMS: &'static GeometryPrograms = {
             static PROGRAMS: GeometryPrograms = GeometryPrograms {
                 name: "SphereDistance",
-                values: Program {
+                values: Table {
                     name: "gap",
                     inputs: &["x", "y", "z", "radius", "orientation", "r0"],
                     operations: &[

@@ -97,6 +97,7 @@ pub(super) unsafe fn slave_row<'a>(
 ///
 /// # Safety
 /// As [`element_evaluate`].
+#[inline(always)]
 unsafe fn target<'a>(
     element: &Registered,
     arguments: &Arguments,
@@ -142,7 +143,7 @@ unsafe fn target<'a>(
 ///
 /// # Safety
 /// `k` is null or has an entry for every pair of rows at the strides of the arguments.
-#[inline]
+#[inline(always)]
 unsafe fn matrix<'a>(
     k: *mut f64,
     is_mapped: bool,

@@ -10,7 +10,7 @@ use crate::element::gather::{Coordinates, Nodes};
 use crate::element::receiver::Summary;
 use crate::error::Error;
 use crate::evaluation::inputs::node_extent;
-use crate::evaluation::sizes::reported;
+use crate::evaluation::sizes::{reported, spacing};
 use crate::point::history::History;
 use crate::point::values::Status;
 
@@ -107,13 +107,17 @@ pub(super) unsafe fn nodes<'a>(
     };
     let of_x = node_extent(n, d, arguments.x_node_stride, argument::X)?;
     let x = coordinates(arguments.x, of_x);
-    // without displacements only the stride itself is checked
-    let has_u = !arguments.u.is_null();
-    let rows = if has_u { n } else { 1 };
-    let of_u = node_extent(rows, d, arguments.u_node_stride, argument::U)?;
+    let u = if arguments.u.is_null() {
+        let fault = Error::new(code::STRIDE, argument::U, 0);
+        spacing(arguments.u_node_stride, d).ok_or(fault)?;
+        None
+    } else {
+        let of_u = node_extent(n, d, arguments.u_node_stride, argument::U)?;
+        Some(coordinates(arguments.u, of_u))
+    };
     Ok(Nodes {
         x,
-        u: has_u.then(|| coordinates(arguments.u, of_u)),
+        u,
         connectivity: None,
         count: n,
     })

@@ -3,7 +3,7 @@
 use super::sizes::{extent, slave_count, spacing};
 use crate::arithmetic::is_usable;
 use crate::codes::{argument, code, request};
-use crate::descriptor::Descriptor;
+use crate::descriptor::{Descriptor, Parameter};
 use crate::element::receiver::Wanted;
 use crate::error::Error;
 
@@ -80,17 +80,10 @@ pub(crate) fn node_extent(
 /// Checks that the parameters lie within their ranges and have the element's number.
 #[inline]
 pub(crate) fn check_parameters(element: &Descriptor, values: &[f64]) -> Result<(), Error> {
-    let refused = |code: i32, index: usize| Err(Error::new(code, argument::PARAMETERS, index));
-    for (index, parameter) in element.parameters.iter().enumerate() {
-        let Some(&value) = values.get(index) else {
-            return refused(code::PARAMETER, index);
-        };
-        if !is_usable(value) {
-            return refused(code::NOT_FINITE, index);
-        }
-        if !parameter.allows(value) {
-            return refused(code::PARAMETER, index);
-        }
+    let can_be = |(bounds, &value): (&Parameter, &f64)| is_usable(value) && bounds.allows(value);
+    let mut pairs = element.parameters.iter().zip(values);
+    if values.len() < element.parameters.len() || !pairs.all(can_be) {
+        return Err(first_refused(element, values));
     }
     let Some(at) = element.angle else {
         return Ok(());
@@ -99,8 +92,23 @@ pub(crate) fn check_parameters(element: &Descriptor, values: &[f64]) -> Result<(
     if angle(at + 1) - angle(at) >= LEAST_WINDOW {
         Ok(())
     } else {
-        refused(code::PARAMETER, at + 1)
+        Err(Error::new(code::PARAMETER, argument::PARAMETERS, at + 1))
     }
+}
+
+/// The error of the first parameter that is missing, not a number or out of its range.
+#[cold]
+fn first_refused(element: &Descriptor, values: &[f64]) -> Error {
+    let refused = |code: i32, index: usize| Error::new(code, argument::PARAMETERS, index);
+    for (index, (bounds, &value)) in element.parameters.iter().zip(values).enumerate() {
+        if !is_usable(value) {
+            return refused(code::NOT_FINITE, index);
+        }
+        if !bounds.allows(value) {
+            return refused(code::PARAMETER, index);
+        }
+    }
+    refused(code::PARAMETER, values.len())
 }
 
 /// Checks a distance beyond which the search ignores everything: it must not be negative or NaN.

@@ -149,7 +149,7 @@ pub(crate) fn cells(values: &mut [f64]) -> &[Cell<f64>] {
 }
 
 /// Runs the kernel on inputs that were checked.
-#[inline]
+#[inline(always)]
 pub(crate) fn run(
     element: &Registered,
     call: &Call<'_>,

@@ -155,28 +155,57 @@ impl Target<'_> {
         }
     }
 
+    /// Adds to one entry through strides, a map or into a sparse matrix.
+    #[inline(never)]
+    fn coupling_apart(&mut self, row: usize, column: usize, value: f64) {
+        let scaled = self.k_scale * value;
+        match &mut self.k {
+            Matrix::None => {}
+            Matrix::Dense(k) => {
+                if let Some(entry) = k.get_mut(row * self.unknowns + column) {
+                    *entry += scaled;
+                }
+            }
+            Matrix::Strided(k) => {
+                let k = *k;
+                put(
+                    k.entry(self.host(row), self.host(column)),
+                    scaled,
+                    Write::Add,
+                );
+            }
+        }
+        if let Some(Share { sums, contact }) = self.sparse {
+            let unknown = row;
+            sums.add_row(contact, Entry { unknown, column }, &[value], self.k_scale);
+        }
+    }
+
     /// Writes the trial history of a point: status and ζ; with friction also anchor and slip path; with
     /// rolling the anchors and paths of both angles and the regime; for edges the normal; a multiplier last.
     fn trial(&self, point: usize, report: &Report) {
         let layout = self.history_layout;
-        let size = layout.size();
-        let rolling = &report.rolling;
-        let entries = self.history.get(point * size..).unwrap_or_default();
-        let status = [f64::from(report.status as i32)];
-        let zeta = report.zeta.iter().take(layout.projected);
-        let anchor = report.anchor.iter().take(layout.projected);
-        let slid = anchor.chain([&report.path]).take(layout.slip);
-        let rolled = rolling.anchor.iter().chain(&rolling.path);
-        let rolled = rolled.chain([&rolling.regime]);
-        let values = status
-            .iter()
-            .chain(zeta)
-            .chain(slid)
-            .chain(rolled.take(layout.rolling))
-            .chain(report.normal.iter().take(layout.side))
-            .chain([&report.multiplier]);
-        for (entry, &value) in entries.iter().take(size).zip(values) {
-            entry.set(value);
+        let first = point * layout.size();
+        let mut entries = self.history.get(first..).unwrap_or_default().iter();
+        let mut put = |values: &[f64]| {
+            for (&value, entry) in values.iter().zip(&mut entries) {
+                entry.set(value);
+            }
+        };
+        put(&[f64::from(report.status as i32)]);
+        put(report.zeta.get(..layout.projected).unwrap_or(&[]));
+        if layout.slip > 0 {
+            put(report.anchor.get(..layout.projected).unwrap_or(&[]));
+            put(&[report.path]);
+        }
+        if layout.rolling > 0 {
+            put(&report.rolling.anchor);
+            put(&report.rolling.path);
+            put(&[report.rolling.regime]);
+        }
+        put(report.normal.get(..layout.side).unwrap_or(&[]));
+        if layout.multiplier > 0 {
+            put(&[report.multiplier]);
         }
     }
 
@@ -240,8 +269,10 @@ impl Receiver for Target<'_> {
         match &mut self.k {
             Matrix::None => {}
             Matrix::Dense(k) => {
-                for entry in (0..n).flat_map(|other| [unknown * n + other, other * n + unknown]) {
-                    if let Some(entry) = k.get_mut(entry) {
+                let own = k.get_mut(unknown * n..).and_then(|own| own.get_mut(..n));
+                own.unwrap_or_default().fill(0.0);
+                for row in k.chunks_exact_mut(n.max(1)) {
+                    if let Some(entry) = row.get_mut(unknown) {
                         *entry = 0.0;
                     }
                 }
@@ -260,10 +291,8 @@ impl Receiver for Target<'_> {
     #[inline(always)]
     fn force(&mut self, (node, component): (usize, usize), value: f64, write: Write) {
         let value = self.f_scale * value;
-        if !self.f.is_empty() {
-            let unknown = self.host(node * self.dimension + component);
-            put(self.f.get(unknown), value, write);
-        }
+        let unknown = self.host(node * self.dimension + component);
+        put(self.f.get(unknown), value, write);
         if let Some(Share { sums, contact }) = self.global_f {
             sums.add_force(contact, node, component, value);
         }
@@ -311,22 +340,15 @@ impl Receiver for Target<'_> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn coupling(&mut self, row: usize, column: usize, value: f64) {
-        if let Some(Share { sums, contact }) = self.sparse {
-            let unknown = row;
-            sums.add_row(contact, Entry { unknown, column }, &[value], self.k_scale);
-        }
-        let scaled = self.k_scale * value;
-        let host = (self.host(row), self.host(column));
         match &mut self.k {
-            Matrix::None => {}
-            Matrix::Dense(k) => {
+            Matrix::Dense(k) if self.sparse.is_none() => {
                 if let Some(entry) = k.get_mut(row * self.unknowns + column) {
-                    *entry += scaled;
+                    *entry += self.k_scale * value;
                 }
             }
-            Matrix::Strided(k) => put(k.entry(host.0, host.1), scaled, Write::Add),
+            _ => self.coupling_apart(row, column, value),
         }
     }
 

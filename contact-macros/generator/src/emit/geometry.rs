@@ -85,6 +85,7 @@ fn third_rows(p: usize, width: usize) -> TokenStream {
     quote! { [#(#rows),*] }
 }
 
+#[expect(clippy::too_many_lines, reason = "one template of emitted code")]
 fn shape(formulated: &FormulatedGeometry) -> TokenStream {
     let geometry = &formulated.declared;
     let Body::Shape {

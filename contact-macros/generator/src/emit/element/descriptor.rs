@@ -11,6 +11,7 @@ use crate::emit::parameters;
 use crate::formulate::FormulatedElement;
 use crate::model::Slave;
 
+#[expect(clippy::too_many_lines, reason = "one template of emitted code")]
 pub(super) fn descriptor(e: &FormulatedElement<'_>) -> TokenStream {
     let name = &e.declared.name;
     let (d, p, h) = e.sizes();

@@ -135,6 +135,7 @@ fn questions(prefix: &Ident) -> TokenStream {
 }
 
 /// Histories, one element, many.
+#[expect(clippy::too_many_lines, reason = "a list of declarations")]
 fn evaluations(prefix: &Ident) -> TokenStream {
     let f = |name: &str, arguments: TokenStream, result: TokenStream, call: TokenStream| {
         exported(prefix, name, arguments, result, call)

@@ -85,7 +85,9 @@ fn summary(certificate: &Certificate) -> Markup {
 }
 
 fn share(finding: &Finding) -> Markup {
-    html! { (finding.tried - finding.failed) " of " (finding.tried) }
+    html! {
+        @if finding.tried == 0 { "not judged" } @else { (finding.tried - finding.failed) " of " (finding.tried) }
+    }
 }
 
 fn elements(certificate: &Certificate) -> Markup {

@@ -10,6 +10,8 @@ use crate::tolerance::RANDOM;
 /// A plot that could not be drawn.
 pub(super) type PlotError = Box<dyn std::error::Error>;
 
+/// An error that a curve shows.
+type Of = fn(&Reached) -> f64;
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 const SIZE: (u32, u32) = (460, 280);
@@ -28,6 +30,7 @@ pub(super) fn distribution(
         let range = Histogram::lower_end(0)..Histogram::lower_end(CLASSES);
         let mut chart = ChartBuilder::on(area)
             .margin(8)
+            .margin_right(26)
             .x_label_area_size(36)
             .y_label_area_size(52)
             .build_cartesian_2d(range, 0.0..top)?;
@@ -89,6 +92,7 @@ pub(super) fn growth(growth: &[Reached]) -> Result<Markup, PlotError> {
         let errors = 1e-15..1e-11;
         let mut chart = ChartBuilder::on(area)
             .margin(8)
+            .margin_right(26)
             .x_label_area_size(36)
             .y_label_area_size(52)
             .build_cartesian_2d(states.log_scale(), errors.log_scale())?;
@@ -97,19 +101,17 @@ pub(super) fn growth(growth: &[Reached]) -> Result<Markup, PlotError> {
             .light_line_style(TRANSPARENT)
             .bold_line_style(BLACK.mix(0.12))
             .x_desc("states per element and status")
+            .x_labels(4)
             .y_desc("largest relative error")
             .x_label_formatter(&|states| format!("{states:.0}"))
             .y_label_formatter(&|error| format!("{error:.0e}"))
             .draw()?;
-        for (name, color) in [("R", RESIDUAL), ("K", TANGENT)] {
-            let at = |reached: &Reached| {
-                let error = if name == "R" {
-                    reached.residual
-                } else {
-                    reached.tangent
-                };
-                (reached.states as f64, error.clamp(1e-15, 1e-11))
-            };
+        let residual = |reached: &Reached| reached.residual;
+        let tangent = |reached: &Reached| reached.tangent;
+        let curves: [(Of, RGBColor, &str); 2] =
+            [(residual, RESIDUAL, "R"), (tangent, TANGENT, "K")];
+        for (of, color, name) in curves {
+            let at = |reached: &Reached| (reached.states as f64, of(reached).clamp(1e-15, 1e-11));
             let line = LineSeries::new(growth.iter().map(at), color.stroke_width(2)).point_size(3);
             chart.draw_series(line)?.label(name).legend(move |(x, y)| {
                 PathElement::new([(x, y), (x + 16, y)], color.stroke_width(2))

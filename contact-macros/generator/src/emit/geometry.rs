@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::program::{function, optional_table, table};
-use super::{domain, imports};
+use super::values::{domain, imports};
 use crate::formulate::{FormulatedGeometry, second_derivatives, third_derivatives};
 use crate::model::Body;
 
@@ -85,7 +85,6 @@ fn third_rows(p: usize, width: usize) -> TokenStream {
     quote! { [#(#rows),*] }
 }
 
-#[expect(clippy::too_many_lines, reason = "one template of emitted code")]
 fn shape(formulated: &FormulatedGeometry) -> TokenStream {
     let geometry = &formulated.declared;
     let Body::Shape {
@@ -104,15 +103,10 @@ fn shape(formulated: &FormulatedGeometry) -> TokenStream {
     let curved = &formulated.curved;
     let affine = formulated.is_affine();
     let flags = (0..n).map(|a| vectors.contains(&a));
-    let zeta = (0..p).map(|i| quote! { zeta[#i] });
-    let zeta_third = zeta.clone();
-    let weight = (0..weights).map(|a| quote! { weights[#a] });
-    let weight_third = weight.clone();
-    let values = (0..n).map(|a| quote! { o[#a] });
-    let first = block(n, p, n);
-    let second = block(n * (1 + p), h, n);
-    let third_inputs = quote! { &[#(#zeta_third,)* #(#weight_third),*] };
-    let third = third_rows(p, n);
+    let (rows, third) = (
+        rows_method([p, h, n], weights),
+        third_method([p, n], weights),
+    );
     quote! {
         impl runtime::Shape<#p, #h, #n> for #name {
             const DOMAIN: runtime::Domain = #domain;
@@ -120,32 +114,59 @@ fn shape(formulated: &FormulatedGeometry) -> TokenStream {
             const WEIGHTS: usize = #weights;
             const VECTORS: [bool; #n] = [#(#flags),*];
             const CURVED: [bool; #h] = [#(#curved),*];
-            #[inline(always)]
-            #[allow(unused_variables)]
-            fn rows<T: runtime::Real>(
-                zeta: &[T; #p],
-                weights: &[T],
-            ) -> runtime::ShapeRows<#p, #h, #n, T> {
-                let zero = T::constant(0.0);
-                let Some(weights) = weights.first_chunk::<#weights>() else {
-                    return runtime::ShapeRows {
-                        n: [zero; #n],
-                        d1: [[zero; #n]; #p],
-                        d2: [[zero; #n]; #h],
-                    };
+            #rows
+            #third
+        }
+    }
+}
+
+/// `&[zeta[0], …, values[0], …]`
+fn inputs(p: usize, values: &str, count: usize) -> TokenStream {
+    let values = format_ident!("{values}");
+    let zeta = (0..p).map(|i| quote! { zeta[#i] });
+    let others = (0..count).map(|k| quote! { #values[#k] });
+    quote! { &[#(#zeta,)* #(#others),*] }
+}
+
+/// Rows of shape functions with first and second derivatives.
+fn rows_method([p, h, n]: [usize; 3], weights: usize) -> TokenStream {
+    let inputs = inputs(p, "weights", weights);
+    let values = (0..n).map(|a| quote! { o[#a] });
+    let (first, second) = (block(n, p, n), block(n * (1 + p), h, n));
+    quote! {
+        #[inline(always)]
+        #[allow(unused_variables)]
+        fn rows<T: runtime::Real>(
+            zeta: &[T; #p],
+            weights: &[T],
+        ) -> runtime::ShapeRows<#p, #h, #n, T> {
+            let zero = T::constant(0.0);
+            let Some(weights) = weights.first_chunk::<#weights>() else {
+                return runtime::ShapeRows {
+                    n: [zero; #n],
+                    d1: [[zero; #n]; #p],
+                    d2: [[zero; #n]; #h],
                 };
-                let o = rows(&[#(#zeta,)* #(#weight),*]);
-                runtime::ShapeRows { n: [#(#values),*], d1: #first, d2: #second }
-            }
-            #[inline(always)]
-            #[allow(unused_variables)]
-            fn third(zeta: &[f64; #p], weights: &[f64]) -> [[f64; #n]; 4] {
-                let Some(weights) = weights.first_chunk::<#weights>() else {
-                    return [[0.0; #n]; 4];
-                };
-                let o = rows_third(#third_inputs);
-                #third
-            }
+            };
+            let o = rows(#inputs);
+            runtime::ShapeRows { n: [#(#values),*], d1: #first, d2: #second }
+        }
+    }
+}
+
+/// Third derivatives of the shape functions.
+fn third_method([p, n]: [usize; 2], weights: usize) -> TokenStream {
+    let inputs = inputs(p, "weights", weights);
+    let third = third_rows(p, n);
+    quote! {
+        #[inline(always)]
+        #[allow(unused_variables)]
+        fn third(zeta: &[f64; #p], weights: &[f64]) -> [[f64; #n]; 4] {
+            let Some(weights) = weights.first_chunk::<#weights>() else {
+                return [[0.0; #n]; 4];
+            };
+            let o = rows_third(#inputs);
+            #third
         }
     }
 }
@@ -165,22 +186,11 @@ fn rigid(formulated: &FormulatedGeometry) -> TokenStream {
     let count = geometry.parameters.len();
     let domain = domain(&geometry.domain);
     let affine = formulated.is_affine();
-    let zeta = (0..p).map(|i| quote! { zeta[#i] });
-    let zeta_third = zeta.clone();
+    let inputs = inputs(p, "parameters", count);
     let third = third_rows(p, d);
-    let parameters: Vec<TokenStream> = (0..count).map(|k| quote! { parameters[#k] }).collect();
     let values = (0..d).map(|k| quote! { o[#k] });
-    let first = block(d, p, d);
-    let second = block(d * (1 + p), h, d);
-    let closed = if projection.is_some() {
-        let x = (0..d).map(|k| quote! { x[#k] });
-        quote! {
-            let parameters = parameters.first_chunk::<#count>()?;
-            Some(projection(&[#(#x,)* #(#parameters),*]))
-        }
-    } else {
-        quote! { None }
-    };
+    let (first, second) = (block(d, p, d), block(d * (1 + p), h, d));
+    let closed = closed_projection(projection.is_some(), d, count);
     quote! {
         #[allow(unused_variables)]
         impl runtime::Rigid<#d, #p, #h> for #name {
@@ -194,7 +204,7 @@ fn rigid(formulated: &FormulatedGeometry) -> TokenStream {
                 let Some(parameters) = parameters.first_chunk::<#count>() else {
                     return runtime::Vectors::default();
                 };
-                let o = position(&[#(#zeta,)* #(#parameters),*]);
+                let o = position(#inputs);
                 runtime::Vectors { r: [#(#values),*], b: #first, second: #second }
             }
             #[inline(always)]
@@ -202,7 +212,7 @@ fn rigid(formulated: &FormulatedGeometry) -> TokenStream {
                 let Some(parameters) = parameters.first_chunk::<#count>() else {
                     return [[0.0; #d]; 4];
                 };
-                let o = position_third(&[#(#zeta_third,)* #(#parameters),*]);
+                let o = position_third(#inputs);
                 #third
             }
             #[inline(always)]
@@ -210,5 +220,18 @@ fn rigid(formulated: &FormulatedGeometry) -> TokenStream {
                 #closed
             }
         }
+    }
+}
+
+/// The closest point in closed form, where it is declared.
+fn closed_projection(declared: bool, d: usize, count: usize) -> TokenStream {
+    if !declared {
+        return quote! { None };
+    }
+    let x = (0..d).map(|k| quote! { x[#k] });
+    let parameters = (0..count).map(|k| quote! { parameters[#k] });
+    quote! {
+        let parameters = parameters.first_chunk::<#count>()?;
+        Some(projection(&[#(#x,)* #(#parameters),*]))
     }
 }

@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::imports;
 use super::program::{function, optional_table, table};
+use super::values::imports;
 use crate::formulate::FormulatedLaw;
 use crate::model::{Bound, Law};
 

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{number, option};
+use super::values::{number, option};
 use crate::formulate::Parameters;
 
 /// The `Layout` constant.

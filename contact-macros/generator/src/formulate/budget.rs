@@ -3,8 +3,6 @@
 
 use syn::Ident;
 
-use super::Formulation;
-
 /// Operations of one program above which a declaration is refused.
 pub const MOST_OPERATIONS: usize = 10_000;
 
@@ -13,14 +11,9 @@ pub const MOST_OPERATIONS: usize = 10_000;
 ///
 /// # Errors
 /// One message per geometry or law, at its name.
-pub fn check(formulation: &Formulation<'_>) -> syn::Result<()> {
-    let geometries = formulation.geometries.iter();
-    let laws = formulation.laws.iter();
-    let tangential_laws = formulation.tangential_laws.iter();
-    let too_large = geometries
-        .map(|own| (&own.declared.name, own.operations))
-        .chain(laws.map(|own| (&own.declared.name, own.operations)))
-        .chain(tangential_laws.map(|own| (&own.declared.name, own.operations)))
+pub fn check<'a>(sizes: impl IntoIterator<Item = (&'a Ident, usize)>) -> syn::Result<()> {
+    let sizes = sizes.into_iter();
+    let too_large = sizes
         .filter(|(_, operations)| *operations > MOST_OPERATIONS)
         .map(|(name, operations)| message(name, operations));
     match too_large.reduce(|mut all, one| {

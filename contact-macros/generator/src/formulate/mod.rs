@@ -32,6 +32,8 @@ mod rule;
 
 use std::rc::Rc;
 
+use syn::Ident;
+
 pub use crate::linearise::shared::{second_derivatives, third_derivatives};
 use crate::model::Model;
 use catalogue::Catalogue;
@@ -62,6 +64,19 @@ pub struct Formulation<'a> {
     pub elements: Vec<FormulatedElement<'a>>,
 }
 
+impl Formulation<'_> {
+    /// Names of geometries and laws, and the operations of the largest program of each.
+    fn sizes(&self) -> impl Iterator<Item = (&Ident, usize)> {
+        let geometries = self.geometries.iter();
+        let laws = self.laws.iter();
+        let tangential_laws = self.tangential_laws.iter();
+        geometries
+            .map(|own| (&own.declared.name, own.operations))
+            .chain(laws.map(|own| (&own.declared.name, own.operations)))
+            .chain(tangential_laws.map(|own| (&own.declared.name, own.operations)))
+    }
+}
+
 /// Formulates everything that `model` declares.
 ///
 /// # Errors
@@ -82,7 +97,7 @@ pub fn formulate(model: &Model) -> syn::Result<Formulation<'_>> {
         tangential_laws,
         elements: vec![],
     };
-    budget::check(&formulation)?;
+    budget::check(formulation.sizes())?;
     let elements = model.elements.iter();
     formulation.elements = elements
         .map(|element| FormulatedElement::new(element, &mut catalogue))

@@ -11,29 +11,10 @@ use crate::emit::parameters;
 use crate::formulate::FormulatedElement;
 use crate::model::Slave;
 
-#[expect(clippy::too_many_lines, reason = "one template of emitted code")]
 pub(super) fn descriptor(e: &FormulatedElement<'_>) -> TokenStream {
     let name = &e.declared.name;
-    let (d, p, h) = e.sizes();
-    let q = e.points.len();
-    let (slave_nodes, master_nodes) = (e.slave_nodes, e.master_nodes);
-    let text = format!("{name}\0");
-    let documentation = format!("{}\0", e.declared.docs.trim());
-    let parameters = parameters::list(&e.parameters);
-    let friction = e.friction.is_some();
-    let rolling = e.rolling().is_some();
-    let symmetric = e.is_symmetric();
-    let has_tangent = e.tangent.is_some();
-    let (slave, master) = (slave_description(e), master_description(e));
-    let layout = parameters::layout(&e.parameters);
-    let angle = angle_offset(e);
-    let enforcement = enforcement(e);
-    let has_multiplier = e.has_multiplier();
-    let operations = e.operations();
-    let formulation = e.formulation();
-    let interpolated = matches!(e.declared.slave, Slave::Interpolated);
+    let what = what(e);
     let kernel = kernel(e);
-    let flags = e.vector_flags();
     let (lanes, lanes_kernel) = lanes(e);
     let (screen, screen_kernel) = screen(e);
     quote! {
@@ -53,43 +34,67 @@ pub(super) fn descriptor(e: &FormulatedElement<'_>) -> TokenStream {
             pub const DESCRIPTOR: &'static ::contact_elements::Registered = {
                 static DESCRIPTOR: ::contact_elements::Registered =
                     ::contact_elements::Registered {
-                        descriptor: ::contact_elements::Descriptor {
-                        name: #text,
-                        documentation: #documentation,
-                        dimension: #d,
-                        slave_nodes: #slave_nodes,
-                        master_nodes: #master_nodes,
-                        interpolated: #interpolated,
-                        points: #q,
-                        projected: #p,
-                        parameters: #parameters,
-                        friction: #friction,
-                        enforcement: #enforcement,
-                        rolling: #rolling,
-                        angle: #angle,
-                        keeps_side: <#name as runtime::Element<#d, #p, #h>>::KEEPS_SIDE,
-                        symmetric: #symmetric,
-                        tangent: #has_tangent,
-                        energy: #has_multiplier
-                            || <<#name as runtime::Element<#d, #p, #h>>::Law
-                                as runtime::NormalLaw>::ENERGY,
-                        operations: #operations,
-                        formulation: #formulation,
-                        vectors: &[#(#flags),*],
-                        centre: <#name as runtime::Element<#d, #p, #h>>::START,
-                        slave: #slave,
-                        master: #master,
-                        layout: #layout,
-                        domains: <#name as runtime::Element<#d, #p, #h>>::DOMAINS,
-                        periods: <#name as runtime::Element<#d, #p, #h>>::PERIODS,
-                        extents: <#name as runtime::Element<#d, #p, #h>>::EXTENTS,
-                        },
+                        descriptor: #what,
                         kernel,
                         lanes: #lanes,
                         screen: #screen,
                     };
                 &DESCRIPTOR
             };
+        }
+    }
+}
+
+/// What the element is.
+fn what(e: &FormulatedElement<'_>) -> TokenStream {
+    let name = &e.declared.name;
+    let (d, p, h) = e.sizes();
+    let q = e.points.len();
+    let (slave_nodes, master_nodes) = (e.slave_nodes, e.master_nodes);
+    let text = format!("{name}\0");
+    let documentation = format!("{}\0", e.declared.docs.trim());
+    let parameters = parameters::list(&e.parameters);
+    let (friction, rolling) = (e.friction.is_some(), e.rolling().is_some());
+    let (symmetric, has_tangent) = (e.is_symmetric(), e.tangent.is_some());
+    let (slave, master) = (slave_description(e), master_description(e));
+    let layout = parameters::layout(&e.parameters);
+    let angle = angle_offset(e);
+    let enforcement = enforcement(e);
+    let has_multiplier = e.has_multiplier();
+    let (operations, formulation) = (e.operations(), e.formulation());
+    let interpolated = matches!(e.declared.slave, Slave::Interpolated);
+    let flags = e.vector_flags();
+    quote! {
+        ::contact_elements::Descriptor {
+            name: #text,
+            documentation: #documentation,
+            dimension: #d,
+            slave_nodes: #slave_nodes,
+            master_nodes: #master_nodes,
+            interpolated: #interpolated,
+            points: #q,
+            projected: #p,
+            parameters: #parameters,
+            friction: #friction,
+            enforcement: #enforcement,
+            rolling: #rolling,
+            angle: #angle,
+            keeps_side: <#name as runtime::Element<#d, #p, #h>>::KEEPS_SIDE,
+            symmetric: #symmetric,
+            tangent: #has_tangent,
+            energy: #has_multiplier
+                || <<#name as runtime::Element<#d, #p, #h>>::Law
+                    as runtime::NormalLaw>::ENERGY,
+            operations: #operations,
+            formulation: #formulation,
+            vectors: &[#(#flags),*],
+            centre: <#name as runtime::Element<#d, #p, #h>>::START,
+            slave: #slave,
+            master: #master,
+            layout: #layout,
+            domains: <#name as runtime::Element<#d, #p, #h>>::DOMAINS,
+            periods: <#name as runtime::Element<#d, #p, #h>>::PERIODS,
+            extents: <#name as runtime::Element<#d, #p, #h>>::EXTENTS,
         }
     }
 }

@@ -6,8 +6,8 @@ use quote::quote;
 use super::expressions::{components, geometry_path, matrix, shape_call};
 use super::friction_tangent::{contact_inputs, tangent_call, tangent_items};
 use super::rolling::rolling_methods;
-use crate::emit::imports;
 use crate::emit::program::{name, shared_items};
+use crate::emit::values::imports;
 use crate::formulate::{FormulatedElement, FrictionPrograms};
 use crate::model::{Axis, Geometry, Master, Rule, Slave};
 

@@ -13,7 +13,8 @@ use super::kinematics::projection_method;
 use super::measure::measure_method;
 use super::slave::slave_method;
 use super::tangent::tangent_method;
-use crate::emit::{domain, parameters};
+use crate::emit::parameters;
+use crate::emit::values::domain;
 use crate::formulate::{FormulatedElement, ProjectionMethod};
 use crate::model::{Axis, Enforcement, Gap, Measure};
 
@@ -25,27 +26,7 @@ pub(super) fn implementation(e: &FormulatedElement<'_>) -> TokenStream {
         Some(tangential) => tangential_law_path(&tangential.law),
         None => quote! { runtime::Frictionless },
     };
-    let slave_axis = matches!(
-        &e.declared.tangential,
-        Some(tangential) if tangential.axis == Some(Axis::Slave)
-    );
-    let periods = e.periods();
-    let layout = parameters::layout(&e.parameters);
-    let search = search(e);
-    let moving = e.kinematics.moving.iter().any(|&moving| moving);
-    let signed = e.declared.gap == Gap::Signed;
-    let current = e.declared.measure == Measure::Current;
-    let enforcement = enforcement(e);
-    let (slave_nodes, master_nodes) = (e.slave_nodes, e.master_nodes);
-    let domains = e.domains();
-    let domains = domains.iter().map(domain);
-    let two_curves = e.projected_slave();
-    let curved = (0..3).map(|h| e.kinematics.curved.get(h).copied().unwrap_or(false));
-    let parallel = if two_curves {
-        quote! { runtime::Status::NotUnique }
-    } else {
-        quote! { runtime::Status::Degenerate }
-    };
+    let constants = constants(e);
     let methods = [
         slave_method(e),
         kinematics_method(e),
@@ -61,22 +42,47 @@ pub(super) fn implementation(e: &FormulatedElement<'_>) -> TokenStream {
         impl runtime::Element<#d, #p, #h> for #name {
             type Law = #law;
             type Tangential = #tangential;
-            const LAYOUT: runtime::Layout = #layout;
-            const SEARCH: runtime::Search = #search;
-            const MOVING: bool = #moving;
-            const CURVED: [bool; 3] = [#(#curved),*];
-            const SIGNED: bool = #signed;
-            const CURRENT: bool = #current;
-            const ENFORCEMENT: runtime::Enforcement = #enforcement;
-            const SLAVE_NODES: usize = #slave_nodes;
-            const MASTER_NODES: usize = #master_nodes;
-            const SLAVE_AXIS: bool = #slave_axis;
-            const PERIODS: [f64; 2] = [#(#periods),*];
-            const DOMAINS: [runtime::Domain; 2] = [#(#domains),*];
-            const TWO_CURVES: bool = #two_curves;
-            const PARALLEL: runtime::Status = #parallel;
+            #constants
             #(#methods)*
         }
+    }
+}
+
+fn constants(e: &FormulatedElement<'_>) -> TokenStream {
+    let axis = e.declared.tangential.as_ref().and_then(|own| own.axis);
+    let slave_axis = axis == Some(Axis::Slave);
+    let periods = e.periods();
+    let layout = parameters::layout(&e.parameters);
+    let search = search(e);
+    let moving = e.kinematics.moving.contains(&true);
+    let signed = e.declared.gap == Gap::Signed;
+    let current = e.declared.measure == Measure::Current;
+    let enforcement = enforcement(e);
+    let (slave_nodes, master_nodes) = (e.slave_nodes, e.master_nodes);
+    let domains = e.domains();
+    let domains = domains.iter().map(domain);
+    let two_curves = e.projected_slave();
+    let curved = (0..3).map(|h| e.kinematics.curved.get(h).copied().unwrap_or(false));
+    let parallel = if two_curves {
+        quote! { runtime::Status::NotUnique }
+    } else {
+        quote! { runtime::Status::Degenerate }
+    };
+    quote! {
+        const LAYOUT: runtime::Layout = #layout;
+        const SEARCH: runtime::Search = #search;
+        const MOVING: bool = #moving;
+        const CURVED: [bool; 3] = [#(#curved),*];
+        const SIGNED: bool = #signed;
+        const CURRENT: bool = #current;
+        const ENFORCEMENT: runtime::Enforcement = #enforcement;
+        const SLAVE_NODES: usize = #slave_nodes;
+        const MASTER_NODES: usize = #master_nodes;
+        const SLAVE_AXIS: bool = #slave_axis;
+        const PERIODS: [f64; 2] = [#(#periods),*];
+        const DOMAINS: [runtime::Domain; 2] = [#(#domains),*];
+        const TWO_CURVES: bool = #two_curves;
+        const PARALLEL: runtime::Status = #parallel;
     }
 }
 

@@ -34,8 +34,8 @@ mod tests;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::imports;
 use super::program::{function, guarded_function};
+use super::values::imports;
 use crate::formulate::{AnglePrograms, FormulatedElement};
 use description::tables;
 use descriptor::descriptor;

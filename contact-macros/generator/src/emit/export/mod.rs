@@ -72,7 +72,12 @@ fn exported(
 
 /// All functions of the C interface but those of Fortran 77.
 fn interface(prefix: &Ident) -> TokenStream {
-    let list = [questions(prefix), evaluations(prefix), messages(prefix)];
+    let list = [
+        questions(prefix),
+        pairs(prefix),
+        evaluations(prefix),
+        messages(prefix),
+    ];
     list.into_iter().collect()
 }
 
@@ -134,9 +139,8 @@ fn questions(prefix: &Ident) -> TokenStream {
     list.into_iter().collect()
 }
 
-/// Histories, one element, many.
-#[expect(clippy::too_many_lines, reason = "a list of declarations")]
-fn evaluations(prefix: &Ident) -> TokenStream {
+/// Histories, projections and patches.
+fn pairs(prefix: &Ident) -> TokenStream {
     let f = |name: &str, arguments: TokenStream, result: TokenStream, call: TokenStream| {
         exported(prefix, name, arguments, result, call)
     };
@@ -191,6 +195,16 @@ fn evaluations(prefix: &Ident) -> TokenStream {
             quote!(i32),
             quote!(abi::patch_evaluate(patch, arguments)),
         ),
+    ];
+    list.into_iter().collect()
+}
+
+/// One element, many.
+fn evaluations(prefix: &Ident) -> TokenStream {
+    let f = |name: &str, arguments: TokenStream, result: TokenStream, call: TokenStream| {
+        exported(prefix, name, arguments, result, call)
+    };
+    let list = [
         f(
             "element_evaluate",
             quote!(element: *const abi::Registered, arguments: *mut abi::Arguments),

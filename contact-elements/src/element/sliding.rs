@@ -162,7 +162,7 @@ impl<E: Element<D, P, H>, R: Receiver, const D: usize, const P: usize, const H: 
     /// [eq:tangential-residual]
     #[inline(always)]
     pub(crate) fn sliding_residual(&mut self, contact: &Contact<'_, D, P, H>) {
-        // copies: with rolling the contact is handed to a call, and would be read anew for every entry
+        // copies: with rolling the contact is handed to a call, and would be read again for every entry
         let Contact {
             point,
             state,

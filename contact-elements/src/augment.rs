@@ -118,9 +118,11 @@ pub fn augment(element: &Descriptor, trial: &[f64], accepted: &mut [f64]) -> Res
     check(element, trial, argument::HISTORY_TRIAL)?;
     check(element, accepted, argument::HISTORY_ACCEPTED)?;
     check_anchors(element, trial, accepted)?;
-    let points = accepted.chunks_exact_mut(size);
-    for (trial, accepted) in trial.chunks_exact(size).zip(points) {
-        augment_point(element, trial, accepted);
+    for point in 0..element.points {
+        let own = point * size..(point + 1) * size;
+        if let (Some(trial), Some(accepted)) = (trial.get(own.clone()), accepted.get_mut(own)) {
+            augment_point(element, trial, accepted);
+        }
     }
     Ok(())
 }

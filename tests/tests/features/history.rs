@@ -6,7 +6,7 @@ use contact_verify::configurations::{Configuration, Generator, Wanted as State};
 use contact_verify::subject::{self, Answer, Input, Subject, Wanted};
 
 /// States of each kind per element.
-const STATES: u64 = 3;
+const STATES: u64 = 20;
 
 fn initial(subject: &Subject) -> Vec<f64> {
     let descriptor = subject.description.descriptor;

@@ -44,7 +44,8 @@ impl ManyContacts {
         }
         let leading = |[apart, node, component]: [i64; 3]| match (apart, node, component) {
             (0, 0, 0) => Some(0),
-            (_, node, 1) if contacts.connectivity.is_some() => Some(node),
+            // nodes by their numbers: the contacts have no distance, and Fortran cannot say a wrong one
+            (0..=0xffff, node, 1) if contacts.connectivity.is_some() => Some(node),
             (apart, node, 1) if node.checked_mul(nodes) == Some(apart) => Some(node),
             _ => None,
         };

@@ -115,7 +115,9 @@ static void pivot(double a[MODEL_UNKNOWNS][MODEL_UNKNOWNS], double b[MODEL_UNKNO
   b[best] = keep;
 }
 
-int brick_model_solve(double a[MODEL_UNKNOWNS][MODEL_UNKNOWNS], double b[MODEL_UNKNOWNS])
+/* Solves a x = b by Gauss elimination with partial pivoting; a is destroyed, b becomes x.
+ * Returns 0, or 1 when a pivot is zero. */
+static int solve(double a[MODEL_UNKNOWNS][MODEL_UNKNOWNS], double b[MODEL_UNKNOWNS])
 {
   for (int column = 0; column < MODEL_UNKNOWNS; column++) {
     pivot(a, b, column);
@@ -134,4 +136,30 @@ int brick_model_solve(double a[MODEL_UNKNOWNS][MODEL_UNKNOWNS], double b[MODEL_U
     b[row] /= a[row][row];
   }
   return 0;
+}
+
+double brick_model_residual(const int prescribed[MODEL_UNKNOWNS], const double f[MODEL_UNKNOWNS])
+{
+  double sum = 0.0;
+  for (int i = 0; i < MODEL_UNKNOWNS; i++)
+    if (!prescribed[i])
+      sum += f[i] * f[i];
+  return sqrt(sum);
+}
+
+int brick_model_correct(const int prescribed[MODEL_UNKNOWNS], double k[MODEL_UNKNOWNS][MODEL_UNKNOWNS],
+                        const double f[MODEL_UNKNOWNS], double u[MODEL_UNKNOWNS])
+{
+  double b[MODEL_UNKNOWNS];
+  for (int i = 0; i < MODEL_UNKNOWNS; i++) {
+    b[i] = prescribed[i] ? 0.0 : -f[i];
+    if (prescribed[i])
+      for (int j = 0; j < MODEL_UNKNOWNS; j++)
+        k[i][j] = i == j ? 1.0 : 0.0;
+  }
+  if (solve(k, b) != 0)
+    return 0;
+  for (int i = 0; i < MODEL_UNKNOWNS; i++)
+    u[i] += b[i];
+  return 1;
 }

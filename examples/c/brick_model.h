@@ -24,8 +24,12 @@ void brick_model_stiffness(double x[MODEL_NODES][3], double young, double poisso
 /* 1 where the displacement is prescribed: the bottom face (z = 0) and the top face (z = 1.5). */
 void brick_model_prescribed(int prescribed[MODEL_UNKNOWNS]);
 
-/* Solves a x = b by Gauss elimination with partial pivoting; a is destroyed, b becomes x.
- * Returns 0, or 1 when a pivot is zero. */
-int brick_model_solve(double a[MODEL_UNKNOWNS][MODEL_UNKNOWNS], double b[MODEL_UNKNOWNS]);
+/* Norm of the residual f [force] over the unknowns that are not prescribed. */
+double brick_model_residual(const int prescribed[MODEL_UNKNOWNS], const double f[MODEL_UNKNOWNS]);
+
+/* One step of Newton's method, u -= k^-1 f; prescribed displacements stay. k is destroyed. Returns 1, or 0 when k is
+ * singular. */
+int brick_model_correct(const int prescribed[MODEL_UNKNOWNS], double k[MODEL_UNKNOWNS][MODEL_UNKNOWNS],
+                        const double f[MODEL_UNKNOWNS], double u[MODEL_UNKNOWNS]);
 
 #endif

@@ -172,43 +172,17 @@ static int assemble(contact_set *contact, model *m)
   return 1;
 }
 
-static double residual_norm(const model *m)
-{
-  double sum = 0.0;
-  for (int i = 0; i < MODEL_UNKNOWNS; i++)
-    if (!m->prescribed[i])
-      sum += m->f[i] * m->f[i];
-  return sqrt(sum);
-}
-
-/* u -= K^-1 f; prescribed displacements stay. */
-static int correct(model *m)
-{
-  double b[MODEL_UNKNOWNS];
-  for (int i = 0; i < MODEL_UNKNOWNS; i++) {
-    b[i] = m->prescribed[i] ? 0.0 : -m->f[i];
-    if (m->prescribed[i])
-      for (int j = 0; j < MODEL_UNKNOWNS; j++)
-        m->k[i][j] = i == j ? 1.0 : 0.0;
-  }
-  if (brick_model_solve(m->k, b) != 0)
-    return 0;
-  for (int i = 0; i < MODEL_UNKNOWNS; i++)
-    m->u[i] += b[i];
-  return 1;
-}
-
 /* Newton iterations; residual[] receives the norms [force]. Returns their number, 0 on failure. */
 static int newton(contact_set *contact, model *m, int step, double residual[ITERATIONS])
 {
   for (int it = 0; it < ITERATIONS; it++) {
     if (!assemble(contact, m))
       return 0;
-    residual[it] = residual_norm(m);
+    residual[it] = brick_model_residual(m->prescribed, m->f);
     printf("step %d iteration %d residual %.3e\n", step, it, residual[it]);
     if (residual[it] < converged)
       return it + 1;
-    if (!correct(m))
+    if (!brick_model_correct(m->prescribed, m->k, m->f, m->u))
       return 0;
   }
   return 0;

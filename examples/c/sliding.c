@@ -158,32 +158,6 @@ static int assemble(contact_set *contact, model *m, int elastic)
   return 1;
 }
 
-static double residual_norm(const model *m)
-{
-  double sum = 0.0;
-  for (int i = 0; i < MODEL_UNKNOWNS; i++)
-    if (!m->prescribed[i])
-      sum += m->f[i] * m->f[i];
-  return sqrt(sum);
-}
-
-/* u -= K^-1 f; prescribed displacements stay. */
-static int correct(model *m)
-{
-  double b[MODEL_UNKNOWNS];
-  for (int i = 0; i < MODEL_UNKNOWNS; i++) {
-    b[i] = m->prescribed[i] ? 0.0 : -m->f[i];
-    if (m->prescribed[i])
-      for (int j = 0; j < MODEL_UNKNOWNS; j++)
-        m->k[i][j] = i == j ? 1.0 : 0.0;
-  }
-  if (brick_model_solve(m->k, b) != 0)
-    return 0;
-  for (int i = 0; i < MODEL_UNKNOWNS; i++)
-    m->u[i] += b[i];
-  return 1;
-}
-
 /* Newton iterations, the first with the elastic tangent: a step that turns back begins at the bound, where the
  * tangent of sliding knows no way back. Prints the norms [force]. Returns their number, 0 on failure. */
 static int newton(contact_set *contact, model *m)
@@ -191,12 +165,12 @@ static int newton(contact_set *contact, model *m)
   for (int it = 0; it < ITERATIONS; it++) {
     if (!assemble(contact, m, it == 0))
       return 0;
-    const double norm = residual_norm(m);
+    const double norm = brick_model_residual(m->prescribed, m->f);
     if (contact->variant != SYMMETRISED)
       printf(" %.1e", norm);
     if (it > 0 && norm < converged)
       return it + 1;
-    if (!correct(m))
+    if (!brick_model_correct(m->prescribed, m->k, m->f, m->u))
       return 0;
   }
   return 0;
@@ -211,9 +185,9 @@ static double residual_from(contact_set *contact, model *m, double distance)
   for (int i = 0; i < MODEL_UNKNOWNS; i++)
     if (!m->prescribed[i])
       m->u[i] += distance * sin(i + 1.0);
-  int pass = assemble(contact, m, 0) && memcmp(status, contact->status, sizeof status) == 0 && correct(m);
+  int pass = assemble(contact, m, 0) && memcmp(status, contact->status, sizeof status) == 0 && brick_model_correct(m->prescribed, m->k, m->f, m->u);
   pass = pass && assemble(contact, m, 0) && memcmp(status, contact->status, sizeof status) == 0;
-  return pass ? residual_norm(m) : -1.0;
+  return pass ? brick_model_residual(m->prescribed, m->f) : -1.0;
 }
 
 /* Order of convergence at the solution: how that residual falls when the distance is halved; -1 where the branch

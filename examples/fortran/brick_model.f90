@@ -10,7 +10,8 @@ module brick_model
   implicit none
   private
   public :: brick_nodes, model_nodes, model_unknowns
-  public :: brick_model_coordinates, brick_model_stiffness, brick_model_prescribed, brick_model_solve
+  public :: brick_model_coordinates, brick_model_stiffness, brick_model_prescribed
+  public :: brick_model_residual, brick_model_correct
 
   integer, parameter :: brick_nodes = 8 ! bottom four counter-clockwise seen from above, then the top four
   integer, parameter :: brick_unknowns = 3*brick_nodes
@@ -123,7 +124,7 @@ contains
 
   ! Solves a x = b by Gauss elimination with partial pivoting; a is destroyed, b becomes x. singular: a
   ! pivot is zero.
-  subroutine brick_model_solve(a, b, singular)
+  subroutine solve(a, b, singular)
     real(dp), intent(inout) :: a(model_unknowns, model_unknowns), b(model_unknowns)
     logical, intent(out) :: singular
     real(dp) :: keep(model_unknowns), kept, factor
@@ -148,6 +149,35 @@ contains
     do row = model_unknowns, 1, -1
       b(row) = (b(row) - dot_product(a(row, row + 1:), b(row + 1:)))/a(row, row)
     end do
-  end subroutine brick_model_solve
+  end subroutine solve
+
+  ! Norm of the residual f [force] over the unknowns that are not prescribed.
+  pure function brick_model_residual(prescribed, f) result(norm)
+    logical, intent(in) :: prescribed(model_unknowns)
+    real(dp), intent(in) :: f(model_unknowns)
+    real(dp) :: norm
+    norm = norm2(pack(f, .not. prescribed))
+  end function brick_model_residual
+
+  ! One step of Newton's method, u = u - k^-1 f; prescribed displacements stay. k is destroyed. pass: k is regular.
+  subroutine brick_model_correct(prescribed, k, f, u, pass)
+    logical, intent(in) :: prescribed(model_unknowns)
+    real(dp), intent(inout) :: k(model_unknowns, model_unknowns), u(3, model_nodes)
+    real(dp), intent(in) :: f(model_unknowns)
+    logical, intent(out) :: pass
+    logical :: singular
+    real(dp) :: b(model_unknowns)
+    integer :: i
+    b = -f
+    do i = 1, model_unknowns
+      if (.not. prescribed(i)) cycle
+      b(i) = 0
+      k(i, :) = 0
+      k(i, i) = 1
+    end do
+    call solve(k, b, singular)
+    pass = .not. singular
+    if (pass) u = u + reshape(b, [3, model_nodes])
+  end subroutine brick_model_correct
 
 end module brick_model

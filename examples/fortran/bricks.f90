@@ -174,24 +174,6 @@ contains
     end do
   end function assemble
 
-  ! u = u - K^-1 f; prescribed displacements stay.
-  function correct(m) result(pass)
-    type(model), intent(inout) :: m
-    logical :: pass, singular
-    real(dp) :: b(model_unknowns)
-    integer :: i
-    b = -m%f
-    do i = 1, model_unknowns
-      if (.not. m%prescribed(i)) cycle
-      b(i) = 0
-      m%k(i, :) = 0
-      m%k(i, i) = 1
-    end do
-    call brick_model_solve(m%k, b, singular)
-    pass = .not. singular
-    if (pass) m%u = m%u + reshape(b, [ndm, model_nodes])
-  end function correct
-
   ! Newton iterations; residual receives the norms [force]. Returns their number, 0 on failure.
   function newton(contact, m, step, residual) result(number)
     type(contact_set), intent(inout) :: contact
@@ -199,17 +181,19 @@ contains
     integer, intent(in) :: step
     real(dp), intent(out) :: residual(iterations)
     integer :: number, it
+    logical :: pass
     residual = 0
     number = 0
     do it = 1, iterations
       if (.not. assemble(contact, m)) return
-      residual(it) = norm2(pack(m%f, .not. m%prescribed))
+      residual(it) = brick_model_residual(m%prescribed, m%f)
       print '(a,i0,a,i0,a,es9.3)', 'step ', step, ' iteration ', it - 1, ' residual ', residual(it)
       if (residual(it) < converged) then
         number = it
         return
       end if
-      if (.not. correct(m)) return
+      call brick_model_correct(m%prescribed, m%k, m%f, m%u, pass)
+      if (.not. pass) return
     end do
   end function newton
 

@@ -155,47 +155,25 @@ contains
     end do
   end function assemble
 
-  pure function residual_norm(m) result(norm)
-    type(model), intent(in) :: m
-    real(dp) :: norm
-    norm = norm2(pack(m%f, .not. m%prescribed))
-  end function residual_norm
-
-  ! u = u - K^-1 f; prescribed displacements stay.
-  function correct(m) result(pass)
-    type(model), intent(inout) :: m
-    logical :: pass, singular
-    real(dp) :: b(model_unknowns)
-    integer :: i
-    b = -m%f
-    do i = 1, model_unknowns
-      if (.not. m%prescribed(i)) cycle
-      b(i) = 0
-      m%k(i, :) = 0
-      m%k(i, i) = 1
-    end do
-    call brick_model_solve(m%k, b, singular)
-    pass = .not. singular
-    if (pass) m%u = m%u + reshape(b, [3, model_nodes])
-  end function correct
-
   ! Newton iterations, the first with the elastic tangent: a step that turns back begins at the bound, where the
   ! tangent of sliding knows no way back. Prints the norms [force]. Returns their number, 0 on failure.
   function newton(contact, m) result(number)
     type(contact_set), intent(inout) :: contact
     type(model), intent(inout) :: m
     integer :: number, it
+    logical :: pass
     real(dp) :: norm
     number = 0
     do it = 1, iterations
       if (.not. assemble(contact, m, it == 1)) return
-      norm = residual_norm(m)
+      norm = brick_model_residual(m%prescribed, m%f)
       if (contact%variant /= symmetrised) write (*, '(1x,es7.1)', advance='no') norm
       if (it > 1 .and. norm < converged) then
         number = it
         return
       end if
-      if (.not. correct(m)) return
+      call brick_model_correct(m%prescribed, m%k, m%f, m%u, pass)
+      if (.not. pass) return
     end do
   end function newton
 
@@ -208,6 +186,7 @@ contains
     real(dp) :: norm, off(model_unknowns)
     integer(i4) :: status(contacts)
     integer :: i
+    logical :: pass
     norm = -1
     status = contact%status
     off = [(distance*sin(real(i, dp)), i=1, model_unknowns)]
@@ -215,9 +194,10 @@ contains
     m%u = m%u + reshape(off, [3, model_nodes])
     if (.not. assemble(contact, m, .false.)) return
     if (any(status /= contact%status)) return
-    if (.not. correct(m)) return
+    call brick_model_correct(m%prescribed, m%k, m%f, m%u, pass)
+    if (.not. pass) return
     if (.not. assemble(contact, m, .false.)) return
-    if (all(status == contact%status)) norm = residual_norm(m)
+    if (all(status == contact%status)) norm = brick_model_residual(m%prescribed, m%f)
   end function residual_from
 
   ! Order of convergence at the solution: how that residual falls when the distance is halved; -1 where the branch

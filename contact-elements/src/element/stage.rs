@@ -4,7 +4,7 @@ use crate::element::traits::Element;
 use crate::point::placement::Placement;
 use crate::point::values::Rows;
 
-/// Nodes and scratch of an evaluation; see [`kernel`](crate::element::kernel) for who makes them.
+/// Nodes and scratch of an evaluation; `element::kernel` makes them.
 #[derive(Debug)]
 pub struct Stage<'a, const D: usize, const P: usize, const H: usize> {
     /// Positions in the local frame, slave nodes first.

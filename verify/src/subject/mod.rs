@@ -22,11 +22,11 @@ pub struct Subject {
     pub description: &'static ElementDescription,
     /// The same pair for the oracle; random states replace its numbers.
     pub template: Pair,
-    /// Parameters of a law that the oracle was given as [`Law::Declared`].
+    /// Parameters of a law that the oracle was given as `Law::Declared`.
     pub law_parameters: Vec<f64>,
-    /// Parameters of a tangential law that the oracle was given as [`TangentialLaw::Declared`].
+    /// Parameters of a tangential law that the oracle was given as `TangentialLaw::Declared`.
     pub tangential_parameters: Vec<f64>,
-    /// Parameters of a law of rolling that the oracle was given as [`TangentialLaw::Declared`].
+    /// Parameters of a law of rolling that the oracle was given as `TangentialLaw::Declared`.
     pub rolling_parameters: Vec<f64>,
     /// Parameters of a rigid geometry that the oracle was given as `Declared`.
     pub geometry_parameters: Vec<f64>,
@@ -45,7 +45,7 @@ impl Subject {
     /// The subject of a built-in element.
     ///
     /// # Errors
-    /// [`UnknownName`] if the oracle does not know a geometry or law of the declaration.
+    /// `UnknownName` if the oracle does not know a geometry or law of the declaration.
     pub fn new(description: &'static ElementDescription) -> Result<Self, UnknownName> {
         let dimension = description.descriptor.dimension;
         let template = Pair {

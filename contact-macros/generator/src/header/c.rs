@@ -44,7 +44,7 @@ fn comment(text: &str) -> String {
     text.replace("*/", "* /").replace("/*", "/ *")
 }
 
-/// [`symbols`] as a separate header, beside `contact_elements.h`.
+/// The declarations of the element symbols as a separate header, beside `contact_elements.h`.
 pub fn symbols_header(prefix: &str, elements: &[Element]) -> String {
     let guard = format!("{}_SYMBOLS_H", prefix.to_uppercase());
     let symbols = symbols(prefix, elements);

@@ -31,7 +31,8 @@ pub fn initial_history(element: &Descriptor, history: &mut [f64]) -> Result<(), 
     let history = history.get_mut(..element.history());
     let history = history.ok_or(Error::missing(argument::HISTORY_TRIAL))?;
     let layout = element.history_layout();
-    for own in history.chunks_exact_mut(layout.size()) {
+    // a history of a point is never empty; the least size is for the compiler, which would keep a panic otherwise
+    for own in history.chunks_exact_mut(layout.size().max(1)) {
         layout.begin(element.centre, own);
     }
     Ok(())

@@ -3,7 +3,7 @@
 //! | file | question |
 //! |---|---|
 //! | `traits` | what does the emitted code provide |
-//! | `receiver` | what goes in besides the nodes, and what comes out |
+//! | `receiver` | inputs other than the nodes, and the outputs |
 //! | `kernel`, `gather` | where do nodes and scratch come from |
 //! | `pass` | what do all steps of an evaluation work on |
 //! | `driver` | in which order are the points evaluated |

@@ -1,4 +1,4 @@
-//! What goes into an evaluation besides the nodes, and what comes out.
+//! Inputs of an evaluation other than the nodes, and its outputs.
 
 use crate::point::history::{History, Refused};
 use crate::point::motion::Rolling;
@@ -17,7 +17,7 @@ pub struct Wanted {
     pub projection_given: bool,
 }
 
-/// Inputs of an evaluation besides the nodes.
+/// Inputs of an evaluation other than the nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct Call<'a> {
     /// Parameters, checked.

@@ -21,7 +21,7 @@ pub(crate) struct NodeShare<const D: usize, const P: usize> {
     pub(crate) turn: [f64; P],
 }
 
-/// Whether every row of the factors has as many entries.
+/// True if every row of the factors has at least `unknowns` entries.
 #[inline(always)]
 fn are_long<const D: usize, const P: usize>(
     u: [&[f64]; D],

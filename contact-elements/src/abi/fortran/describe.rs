@@ -40,10 +40,10 @@ pub unsafe fn info(
     }
 }
 
-/// Writes the sizes, or −1 where there are none.
+/// Writes the sizes, or −1 to each of them after an error.
 ///
 /// # Safety
-/// `sizes` is null or has as many entries.
+/// `sizes` is null or points to `SIZES` integers.
 pub(super) unsafe fn write_sizes(sizes: *mut i32, code: i32, info: &Info) {
     if sizes.is_null() {
         return;

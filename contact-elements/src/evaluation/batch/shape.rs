@@ -188,7 +188,7 @@ impl<'a> Shape<'a> {
             Ok::<_, Error>(stride)
         };
         self.f_stride = own(form.f_stride, unknowns, argument::F)?;
-        // a matrix of its own for every contact only where there are such matrices
+        // the stride must keep the matrices apart only if every contact writes its own matrix
         let matrix = unknowns * unknowns;
         self.k_stride = if !self.wants(request::TANGENT) {
             0
